@@ -3,8 +3,6 @@
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/grid_diagram.hpp>
-#include <gonio/plot/raster.hpp>
-#include <gonio/plot/svg.hpp>
 
 #include "../options/output.hpp"
 #include "../options/values.hpp"
@@ -436,7 +434,7 @@ void ProbeReport::summary_text() {
 }
 
 Result<void> ProbeReport::draw(Diagnostics& diagnostics) const {
-    const ProbeDrawing& drawing = *request_.drawing;
+    const GridDrawing& drawing = *request_.drawing;
     const ReceiverGrid& grid = *request_.points.grid;
     const Spread all = spread(values_.front());
     GridPlot plot;
@@ -478,19 +476,7 @@ Result<void> ProbeReport::draw(Diagnostics& diagnostics) const {
     plot.facts = fmt::format("min {}{}, mean {}{}, max {}{}, min/mean {}", rounded(all.least, 3), unit,
                              rounded(all.mean, 3), unit, rounded(all.greatest, 3), unit, rounded(all.uniformity(), 2));
     if (is_plan) plot.facts = fmt::format("at {} m: {}", rounded(grid.corner.z, 4), plot.facts);
-    plot.width_px = drawing.width_px;
-    plot.height_px = drawing.height_px;
-    bool left_out = false;
-    Result<Drawing> page = grid_diagram(plot, left_out);
-    if (!page) return pass_on(page);
-    if (left_out)
-        diagnostics.push_back(result_diagnostic("RES0409",
-                                                "the cells are too small for their numbers, which are left out",
-                                                "use a larger -s, or a wider spacing"));
-    if (drawing.format == nullptr) return write_output(drawing.output, to_svg(*page));
-    Result<std::string> bytes = encode_for_display(to_image(*page), *drawing.format, false);
-    if (!bytes) return pass_on(bytes);
-    return write_output(drawing.output, *bytes);
+    return write_grid_drawing(drawing, std::move(plot), diagnostics);
 }
 
 } // namespace gonio::cli

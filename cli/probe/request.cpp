@@ -1,6 +1,5 @@
 #include "request.hpp"
 
-#include <gonio/base/picture_size.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/material_charts.hpp>
 #include <gonio/transport/receiver_light.hpp>
@@ -195,7 +194,6 @@ Result<void> read_quantity(const Arguments& arguments, ProbeRequest& request) {
     return {};
 }
 
-// SVG, or a picture format given by --to or by the output's name.
 Result<void> read_drawing(const Arguments& arguments, ProbeRequest& request) {
     const auto output = arguments.value("--output");
     if (!output) {
@@ -209,30 +207,9 @@ Result<void> read_drawing(const Arguments& arguments, ProbeRequest& request) {
     if (request.options.view || request.compare)
         return fail("USE0107", fmt::format("-o and {} are both given", request.compare ? "--compare" : "--view"),
                     "-o draws the illuminance");
-    if (*output == "-") return both_to_standard_output("drawing");
-    ProbeDrawing drawing;
-    drawing.output = *output;
-    drawing.title = arguments.value("--title").value_or("");
-    if (const auto text = arguments.value("--size")) {
-        Result<PixelSize> size = parse_size(*text);
-        if (!size) return pass_on(size);
-        if (Result<void> fits = check_picture_size(size->width, size->height); !fits) return fits;
-        drawing.width_px = size->width;
-        drawing.height_px = size->height;
-    }
-    const auto named = arguments.value("--to");
-    if (named ? *named != "svg" : !output->ends_with(".svg")) {
-        if (!named && media::find_image_format(*output) == nullptr)
-            return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", *output),
-                        "end it in .svg or .png, or add --to");
-        Result<const media::ImageFormat*> format = picture_format(named, *output);
-        if (!format) return pass_on(format);
-        if (!has_pixel(**format, media::Pixel::uint8))
-            return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
-                        "write .svg, .png, .tif or .jpg");
-        drawing.format = *format;
-    }
-    request.drawing = std::move(drawing);
+    Result<GridDrawing> drawing = grid_drawing(arguments);
+    if (!drawing) return pass_on(drawing);
+    request.drawing = std::move(*drawing);
     return {};
 }
 

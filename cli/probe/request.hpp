@@ -3,7 +3,6 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
-#include <gonio/media/image_file.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/spatial_illuminance.hpp>
 #include <gonio/scene/stage.hpp>
@@ -11,6 +10,7 @@
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../options/emits_input.hpp"
+#include "../options/grid_drawing.hpp"
 #include "../options/points_input.hpp"
 #include "../options/profile_size.hpp"
 #include "../options/sky_input.hpp"
@@ -58,15 +58,6 @@ inline constexpr std::array probe_report_options{
     Option{"--to", "FORMAT", "svg or an 8-bit picture format, if the file name does not show it (svg)", "images"},
 };
 
-// The drawing of a grid.
-struct ProbeDrawing {
-    std::string output;
-    const media::ImageFormat* format = nullptr; // nullptr: SVG
-    std::string title;
-    int width_px = 0; // 0: as the numbers need
-    int height_px = 0;
-};
-
 enum class ProbeForm { text, json, json_line, csv };
 
 struct ProbeRequest {
@@ -82,7 +73,7 @@ struct ProbeRequest {
     Sky sky;
     ProbeForm form = ProbeForm::text;
     IlluminanceKind kind = IlluminanceKind::planar;
-    std::optional<ProbeDrawing> drawing;
+    std::optional<GridDrawing> drawing;
 
     // Whether the kind is the illuminance of a flat surface, with the receivers' normals.
     bool is_planar() const { return kind <= IlluminanceKind::vertical; }

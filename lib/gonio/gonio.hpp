@@ -28,10 +28,12 @@
 #include <gonio/color/spectrum.hpp>
 #include <gonio/figures/box_room.hpp>
 #include <gonio/figures/figure.hpp>
+#include <gonio/figures/glare.hpp>
 #include <gonio/figures/luminaire_figures.hpp>
 #include <gonio/figures/luminances.hpp>
 #include <gonio/figures/outdoor_classes.hpp>
 #include <gonio/figures/position_index.hpp>
+#include <gonio/figures/room_plan.hpp>
 #include <gonio/figures/ugr_table.hpp>
 #include <gonio/figures/utilisation.hpp>
 #include <gonio/ibl/environment_tree.hpp>
@@ -82,6 +84,7 @@
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/scene/receiver_grid.hpp>
 #include <gonio/scene/reference.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>

@@ -46,6 +46,7 @@ constexpr std::array groups{
     DiagnosticGroup{"RES03", "Results: units"},
     DiagnosticGroup{"RES04", "Results: points"},
     DiagnosticGroup{"RES05", "Results: images of environments"},
+    DiagnosticGroup{"RES06", "Results: rooms"},
     DiagnosticGroup{"USE01", "Usage: exit status 2"},
     DiagnosticGroup{"FIL01", "Files and folders: exit status 3"},
     DiagnosticGroup{"INP01", "Other inputs: exit status 4"},

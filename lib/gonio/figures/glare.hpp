@@ -1,9 +1,9 @@
 // Unified glare rating for an observer anywhere: UGR = 8 log₁₀(0.25/Lb Σ L²ω/p²) (CIE 117:1995).
 //
 // The luminance of a luminaire is its intensity over the projected area of its luminous opening, of a light with a size
-// its own; p is Guth's index in closed form, for any direction of view. Luminaires of less than 0.005 m² projected area count
-// as small sources (CIE 147:2002), L²ω = 200 I²/d², which does not depend on their size. The rule holds for solid angles of
-// 0.0003 to 0.1 sr.
+// its own; p is Guth's index in closed form, for any direction of view. Luminaires of less than 0.005 m² projected area
+// count as small sources (CIE 147:2002), L²ω = 200 I²/d², which does not depend on their size. The rule holds for solid
+// angles of 0.0003 to 0.1 sr.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -19,7 +19,7 @@ namespace gonio {
 
 // An eye, and where it looks.
 struct Observer {
-    glm::dvec3 eye{0.0, 0.0, 1.2};   // [m]
+    glm::dvec3 eye{0.0, 0.0, 1.2};  // [m]
     glm::dvec3 view{0.0, 1.0, 0.0}; // horizontal or not, any length > 0, not straight up or down
 };
 
@@ -33,8 +33,8 @@ struct GlareShare {
     bool is_too_large = false; // above 0.1 sr, where the rule does not hold
 };
 
-// That of a light; of one behind the eye, of the sun and of one that does not shine there, a sum of 0. Empty for a light
-// without a size: a point, or a profile that states no luminous opening.
+// That of a light; of one behind the eye, of the sun and of one that does not shine there, a sum of 0. Empty for a
+// light without a size: a point, or a profile that states no luminous opening.
 std::optional<GlareShare> glare_share(const Light& light, const Observer& observer);
 
 // UGR of the sum of all shares and the background's luminance Lb = E/π, with the vertical illuminance E at the eye

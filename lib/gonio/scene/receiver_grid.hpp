@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Receivers in the cells of a parallelogram; along U first.
@@ -63,3 +64,4 @@ struct FloorArea {
 std::optional<FloorArea> area_between_walls(const Stage& stage, double height_m);
 
 } // namespace gonio
+#pragma GCC visibility pop

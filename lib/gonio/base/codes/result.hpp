@@ -96,6 +96,14 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "coarse as the texels, and directions that are sampled evenly miss it. Taken out, it is a light of its own."},
     {"RES0505", Severity::note, Strict::same, "image with an exposure",
      "The lines EXPOSURE= of a Radiance picture say by what its pixels were multiplied. They are divided by it."},
+
+    {"RES0601", Severity::warning, Strict::same, "glare outside the range of the rule",
+     "UGR holds for luminaires that fill 0.0003 to 0.1 sr of the view. A larger one, as a luminous ceiling or one "
+     "close "
+     "to the eye, is rated all the same."},
+    {"RES0602", Severity::note, Strict::same, "no rating of glare",
+     "UGR needs the luminance of the luminaires, and the profile states no luminous opening; or none of their light "
+     "reaches the eye."},
 });
 static_assert(in_order(result_codes));
 

@@ -1,0 +1,60 @@
+#include "grid_drawing.hpp"
+
+#include <gonio/base/codes/result.hpp>
+#include <gonio/base/picture_size.hpp>
+#include <gonio/plot/raster.hpp>
+#include <gonio/plot/svg.hpp>
+
+#include "output.hpp"
+#include "values.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace gonio::cli {
+
+Result<GridDrawing> grid_drawing(const Arguments& arguments) {
+    GridDrawing drawing;
+    drawing.output = arguments.value("--output").value_or("-");
+    if (drawing.output == "-") return both_to_standard_output("drawing");
+    drawing.title = arguments.value("--title").value_or("");
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        if (Result<void> fits = check_picture_size(size->width, size->height); !fits) return pass_on(fits);
+        drawing.width_px = size->width;
+        drawing.height_px = size->height;
+    }
+    const auto named = arguments.value("--to");
+    if (named ? *named != "svg" : !drawing.output.ends_with(".svg")) {
+        if (!named && media::find_image_format(drawing.output) == nullptr)
+            return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", drawing.output),
+                        "end it in .svg or .png, or add --to");
+        Result<const media::ImageFormat*> format = picture_format(named, drawing.output);
+        if (!format) return pass_on(format);
+        if (!has_pixel(**format, media::Pixel::uint8))
+            return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
+                        "write .svg, .png, .tif or .jpg");
+        drawing.format = *format;
+    }
+    return drawing;
+}
+
+Result<void> write_grid_drawing(const GridDrawing& drawing, GridPlot plot, Diagnostics& diagnostics) {
+    plot.width_px = drawing.width_px;
+    plot.height_px = drawing.height_px;
+    bool left_out = false;
+    Result<Drawing> page = grid_diagram(plot, left_out);
+    if (!page) return pass_on(page);
+    if (left_out)
+        diagnostics.push_back(result_diagnostic("RES0409",
+                                                "the cells are too small for their numbers, which are left out",
+                                                "use a larger -s, or a wider spacing"));
+    if (drawing.format == nullptr) return write_output(drawing.output, to_svg(*page));
+    Result<std::string> bytes = encode_for_display(to_image(*page), *drawing.format, false);
+    if (!bytes) return pass_on(bytes);
+    return write_output(drawing.output, *bytes);
+}
+
+} // namespace gonio::cli

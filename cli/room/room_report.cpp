@@ -1,0 +1,194 @@
+#include "room_report.hpp"
+
+#include <gonio/base/codes/result.hpp>
+#include <gonio/base/unit_text.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> views{"+X", "-X", "+Y", "-Y"};
+
+std::string line(std::string_view name, const std::string& value) {
+    return fmt::format("  {:<12}{}\n", name, value);
+}
+
+// Of all luminaires [W/m²].
+std::optional<double> power_density(const RoomRequest& request, const RoomPlan& plan) {
+    if (!request.input_w) return std::nullopt;
+    return *request.input_w * static_cast<double>(plan.layout.count()) /
+           (request.plan.size_m.x * request.plan.size_m.y);
+}
+
+double mounting_height_m(const RoomPlanRequest& request) {
+    return request.mounting_height_m > 0.0 ? request.mounting_height_m : request.size_m.z;
+}
+
+std::string ugr_text(const RoomPlan& plan) {
+    std::string text;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const std::optional<double>& ugr = plan.observers.at(i).ugr;
+        text += fmt::format("{}{} towards {}", i == 0 ? "" : ", ",
+                            !ugr          ? std::string("none")
+                            : *ugr < 10.0 ? std::string("below 10")
+                                          : fmt::format("{:.1f}", *ugr),
+                            views.at(i));
+    }
+    return text;
+}
+
+} // namespace
+
+std::string room_text(const RoomRequest& request, const RoomPlan& plan) {
+    const RoomPlanRequest& asked = request.plan;
+    const Spread& lux = plan.spread;
+    std::string text = fmt::format("{} m × {} m × {} m, reflectances {}\n", rounded(asked.size_m.x),
+                                   rounded(asked.size_m.y), rounded(asked.size_m.z), to_text(asked.reflectances));
+    text += line("layout", fmt::format("{} × {} = {} luminaires, {} m × {} m apart, at {} m", plan.layout.columns,
+                                       plan.layout.rows, plan.layout.count(), rounded(plan.spacing_m.x, 4),
+                                       rounded(plan.spacing_m.y, 4), rounded(mounting_height_m(asked), 4)));
+    text += line("mean", fmt::format("{} lx{}, {} lx of it directly", rounded(lux.mean, 4),
+                                     asked.mean ? fmt::format(" for {} lx", rounded(asked.mean->value)) : std::string(),
+                                     rounded(spread(plan.direct_lx).mean, 4)));
+    text += line("range", fmt::format("{} to {} lx, U0 {}, Ud {}", rounded(lux.least, 4), rounded(lux.greatest, 4),
+                                      rounded(lux.uniformity(), 3), rounded(lux.diversity(), 3)));
+    text += line("plane", fmt::format("{} m high, {} m off the walls, {} × {} points, maintenance factor {}",
+                                      rounded(asked.plane_height_m, 4), rounded(asked.wall_zone_m, 4),
+                                      plan.grid.columns, plan.grid.rows, rounded(asked.maintenance_factor, 4)));
+    text += line("UGR", ugr_text(plan));
+    if (const std::optional<double> density = power_density(request, plan))
+        text += line("power", fmt::format("{} W, {} W/m², {} W/m² per 100 lx",
+                                          rounded(*request.input_w * static_cast<double>(plan.layout.count()), 4),
+                                          rounded(*density, 3), rounded(100.0 * *density / lux.mean, 3)));
+    return text;
+}
+
+void add_remarks(const RoomPlan& plan, Diagnostics& diagnostics) {
+    bool has_too_large = false;
+    bool is_rated = true;
+    for (const RoomObserver& seen : plan.observers) {
+        has_too_large = has_too_large || seen.has_too_large;
+        is_rated = is_rated && seen.ugr;
+    }
+    if (has_too_large)
+        diagnostics.push_back(result_diagnostic("RES0601", "a luminaire fills more than 0.1 sr of an observer's view",
+                                                "take its UGR as a rough figure"));
+    if (!is_rated)
+        diagnostics.push_back(
+            result_diagnostic("RES0602", "some observers have no UGR",
+                              "the luminaire states no luminous opening, or does not shine to the eye"));
+}
+
+Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnostics& diagnostics) {
+    const RoomPlanRequest& asked = request.plan;
+    const Spread& lux = plan.spread;
+    const std::optional<double> density = power_density(request, plan);
+    Json observers = Json::array();
+    for (const RoomObserver& seen : plan.observers) {
+        const auto vector = [](const glm::dvec3& value) { return Json::array({value.x, value.y, value.z}); };
+        observers.push_back({{"position", vector(seen.observer.eye)},
+                             {"view", vector(seen.observer.view)},
+                             {"ugr", number_or_null(seen.ugr)},
+                             {"background_nt", seen.background.value}});
+    }
+    Json points = Json::array();
+    for (std::size_t i = 0; i < plan.grid.receivers.size(); ++i) {
+        const glm::dvec3& at = plan.grid.receivers[i].position;
+        points.push_back({{"position", Json::array({at.x, at.y, at.z})},
+                          {"illuminance_lx", plan.illuminance_lx[i]},
+                          {"direct_lx", plan.direct_lx[i]}});
+    }
+    return {{"schema", "gonio.room/1"},
+            {"room_m", Json::array({asked.size_m.x, asked.size_m.y, asked.size_m.z})},
+            {"reflectances", to_text(asked.reflectances)},
+            {"luminaire", request.file},
+            {"layout", Json::array({plan.layout.columns, plan.layout.rows})},
+            {"count", plan.layout.count()},
+            {"spacing_m", Json::array({plan.spacing_m.x, plan.spacing_m.y})},
+            {"mounting_height_m", mounting_height_m(asked)},
+            {"plane_height_m", asked.plane_height_m},
+            {"wall_zone_m", asked.wall_zone_m},
+            {"maintenance_factor", asked.maintenance_factor},
+            {"wanted_lx", asked.mean ? Json(asked.mean->value) : Json(nullptr)},
+            {"mean_lx", lux.mean},
+            {"direct_mean_lx", spread(plan.direct_lx).mean},
+            {"min_lx", lux.least},
+            {"max_lx", lux.greatest},
+            {"uniformity", lux.uniformity()},
+            {"diversity", lux.diversity()},
+            {"observers", std::move(observers)},
+            {"input_W",
+             request.input_w ? Json(*request.input_w * static_cast<double>(plan.layout.count())) : Json(nullptr)},
+            {"W_per_m2", number_or_null(density)},
+            {"W_per_m2_100lx", density ? Json(100.0 * *density / lux.mean) : Json(nullptr)},
+            {"points", std::move(points)},
+            {"diagnostics", diagnostics_json(diagnostics)}};
+}
+
+std::string room_rig(const RoomRequest& request, const RoomPlan& plan, const std::string& file) {
+    const RoomPlanRequest& asked = request.plan;
+    const glm::dvec3& size = asked.size_m;
+    const auto matte = [](double albedo) { return fmt::format("lambert:albedo={}", shortest(albedo)); };
+    const auto panel = [](std::string_view name, const glm::dvec3& center, const glm::dvec3& normal,
+                          const glm::dvec3& up, double width_m, double height_m, const std::string& material) {
+        const auto vector = [](const glm::dvec3& value) { return Json::array({value.x, value.y, value.z}); };
+        return Json{{"name", name},
+                    {"panel",
+                     {{"center", vector(center)},
+                      {"normal", vector(normal)},
+                      {"up", vector(up)},
+                      {"width", shortest(width_m) + "m"},
+                      {"height", shortest(height_m) + "m"}}},
+                    {"material", material}};
+    };
+    const glm::dvec3 half = 0.5 * size;
+    const std::string walls = matte(asked.reflectances.walls);
+    const glm::dvec3 up(0.0, 0.0, 1.0);
+    Json surfaces = Json::array();
+    surfaces.push_back(panel("floor", {0, 0, 0}, up, {0, 1, 0}, size.x, size.y, matte(asked.reflectances.floor)));
+    surfaces.push_back(
+        panel("ceiling", {0, 0, size.z}, -up, {0, 1, 0}, size.x, size.y, matte(asked.reflectances.ceiling)));
+    surfaces.push_back(panel("wall", {-half.x, 0, half.z}, {1, 0, 0}, up, size.y, size.z, walls));
+    surfaces.push_back(panel("wall", {half.x, 0, half.z}, {-1, 0, 0}, up, size.y, size.z, walls));
+    surfaces.push_back(panel("wall", {0, half.y, half.z}, {0, -1, 0}, up, size.x, size.z, walls));
+    surfaces.push_back(panel("wall", {0, -half.y, half.z}, {0, 1, 0}, up, size.x, size.z, walls));
+    Json light{{"name", "luminaire"}, {"shape", "ies:" + file}};
+    if (!request.flux.empty()) light["intensity"] = request.flux;
+    light["position"] = Json::array({0.0, 0.0, plan.lights.front().frame.origin.z});
+    if (request.luminaire.rotation.value != 0.0)
+        light["rotate"] = shortest(to_degrees(request.luminaire.rotation)) + "deg";
+    light["array"] = {{"count", Json::array({plan.layout.columns, plan.layout.rows})},
+                      {"room", Json::array({size.x, size.y})}};
+    const Json rig{{"schema", "gonio.rig/1"},
+                   {"maintenance", asked.maintenance_factor},
+                   {"lights", Json::array({std::move(light)})},
+                   {"stage", {{"name", "room"}, {"surfaces", std::move(surfaces)}}}};
+    return dump(rig, 2);
+}
+
+GridPlot room_plot(const RoomRequest& request, const RoomPlan& plan) {
+    GridPlot plot;
+    plot.left_m = plan.grid.corner.x;
+    plot.low_m = plan.grid.corner.y;
+    plot.width_m = plan.grid.u.x;
+    plot.height_m = plan.grid.v.y;
+    plot.columns = plan.grid.columns;
+    plot.rows = plan.grid.rows;
+    plot.values = plan.illuminance_lx;
+    for (const Light& light : plan.lights)
+        plot.marks.push_back({light.frame.origin.x, light.frame.origin.y});
+    plot.title = fmt::format("illuminance at {} m", rounded(request.plan.plane_height_m, 4));
+    plot.facts = fmt::format("min {} lx, mean {} lx, max {} lx, min/mean {}", rounded(plan.spread.least, 3),
+                             rounded(plan.spread.mean, 3), rounded(plan.spread.greatest, 3),
+                             rounded(plan.spread.uniformity(), 2));
+    return plot;
+}
+
+} // namespace gonio::cli
