@@ -320,6 +320,11 @@ Result<Points> points_input(const Arguments& arguments) {
 
 Result<void> place_on(const Stage& stage, Points& points) {
     const Workplane& plane = *points.workplane;
+    if (const Surface* const beyond = beyond_height(stage, plane.height_m))
+        return fail("USE0106",
+                    fmt::format("a working plane at {} m is behind '{}' of the stage '{}'", rounded(plane.height_m),
+                                beyond->name, stage.name),
+                    "it lies between the floor and the ceiling");
     const std::optional<FloorArea> area = area_between_walls(stage, plane.height_m);
     if (!area)
         return fail("USE0106",

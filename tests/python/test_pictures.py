@@ -57,3 +57,23 @@ def test_rigs_are_dicts(tmp_path):
     assert len(gonio.read_rig(path).lights) == 1
     with pytest.raises(gonio.Error, match=r"lights\[0\]"):
         gonio.make_rig({"lights": [{"shape": "spere:r=1cm"}]})
+
+
+def test_rigs_are_single_lights():
+    luminaire = {"shape": "point", "intensity": "100cd", "maintenance": 0.8}
+    aimed = {"luminaire": "A", "position": [0, 0, 3], "target": [1, 0, 3]}
+    rig = gonio.make_rig(
+        {
+            "luminaires": {"A": luminaire},
+            "lights": [
+                {"name": "desk", "luminaire": "A", "array": {"count": [2, 1], "spacing": [2, 1]}},
+                {"name": "row", "dimming": "50%", "lights": [aimed]},
+            ],
+        }
+    )
+    assert [light.name for light in rig.lights] == ["desk[1,1]", "desk[2,1]", "row/A 1"]
+    assert [light.position[0] for light in rig.lights] == [-1, 1, 0]
+    assert rig.lights[2].direction == pytest.approx([1, 0, 0])
+    assert gonio.illuminance(rig.lights[0], [-1, 0, -1], [0, 0, 1]) == pytest.approx(80)
+    with pytest.raises(gonio.Error, match=r"lights\[0\]\.array\.count\[0\]"):
+        gonio.make_rig({"lights": [{**luminaire, "array": {"count": [0, 1]}}]})

@@ -172,7 +172,7 @@ Result<Drawing> grid_diagram(const GridPlot& plot, bool& left_out) {
         groups.push_back(std::isnan(value) ? -1 : 0);
     const bool has_lines = plot.columns > 1 && plot.rows > 1 && span > 0.0;
     const std::vector<double> levels =
-        has_lines ? fitting_levels(std::fmax(range.least, 1e-3 * range.greatest), range.greatest, lines_wanted)
+        has_lines ? fitting_levels(std::fmax(range.least, 0.02 * range.greatest), range.greatest, lines_wanted)
                   : std::vector<double>();
     for (const double level : levels)
         for (const ContourLine& line : contour_lines(field, level, groups)) {

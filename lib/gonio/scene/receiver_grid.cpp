@@ -134,12 +134,14 @@ Result<ReceiverGrid> polygon_grid(std::span<const glm::dvec3> corners, std::opti
         return fail("USE0106", "the polygon has no area", "its corners lie on a line");
     // The side that is seen from above, unless it is upright: going round does not matter.
     const glm::dvec3 n = found->z < -1e-9 ? -*found : *found;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        if (std::abs(glm::dot(corners[i] - corners[0], n)) > 1e-6 * size)
-            return fail("USE0106",
-                        fmt::format("the polygon is not flat: corner {}, {}, is off the plane of the others", i + 1,
-                                    place_text(corners[i])),
-                        "give all corners the same height");
+    double off_plane = 0.0;
+    for (const glm::dvec3& corner : corners)
+        off_plane = std::max(off_plane, std::abs(glm::dot(corner - corners[0], n)));
+    if (off_plane > 1e-6 * size)
+        return fail(
+            "USE0106",
+            fmt::format("the polygon is not flat: its corners are up to {} m off a plane", rounded(off_plane, 3)),
+            "give all corners the same height");
     const glm::dvec3 horizontal = glm::cross(glm::dvec3(0.0, 0.0, 1.0), n);
     const glm::dvec3 along = glm::length(horizontal) > 1e-9 ? glm::normalize(horizontal) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 across = glm::cross(n, along);
@@ -205,6 +207,18 @@ double percentile(std::span<const double> values, double percent) {
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     const double share = at - static_cast<double>(below);
     return (1.0 - share) * sorted[below] + share * sorted[above];
+}
+
+const Surface* beyond_height(const Stage& stage, double height_m) {
+    for (const Surface& surface : stage.surfaces) {
+        const auto* const plane = std::get_if<Plane>(&surface.geometry);
+        const auto* const panel = std::get_if<Panel>(&surface.geometry);
+        if (plane == nullptr && panel == nullptr) continue;
+        const glm::dvec3& normal = plane != nullptr ? plane->normal : panel->frame.z;
+        const double above = height_m - (plane != nullptr ? plane->point.z : panel->frame.origin.z);
+        if (std::abs(normal.z) > 1.0 - 1e-9 && above * normal.z < 0.0) return &surface;
+    }
+    return nullptr;
 }
 
 std::optional<FloorArea> area_between_walls(const Stage& stage, double height_m) {

@@ -63,5 +63,9 @@ struct FloorArea {
 // unless there is one on each of the four sides.
 std::optional<FloorArea> area_between_walls(const Stage& stage, double height_m);
 
+// The floor of a stage that is above a height, or the ceiling below it: a horizontal plane or rectangle that faces
+// away. nullptr if there is none.
+const Surface* beyond_height(const Stage& stage, double height_m);
+
 } // namespace gonio
 #pragma GCC visibility pop

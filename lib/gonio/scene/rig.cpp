@@ -115,11 +115,11 @@ private:
 
     Result<void> luminaires(const Json& json) {
         if (luminaires_seen_) return {};
-        Result<std::vector<detail::Luminaire>> read = detail::read_luminaires(json, rig_.source);
+        Result<detail::Luminaires> read = detail::read_luminaires(json, rig_.source);
         if (!read) return pass_on(read);
         luminaires_ = std::move(*read);
         luminaires_seen_ = true;
-        for (const detail::Luminaire& luminaire : luminaires_)
+        for (const auto& [name, luminaire] : luminaires_)
             if (Result<LightDescription> sound = described(luminaire); !sound) return pass_on(sound);
         return {};
     }
@@ -132,6 +132,11 @@ private:
 
     Result<void> light(const detail::SingleLight& single) {
         const detail::WrittenLight& written = single.written;
+        if (!single.repeated) {
+            Result<LightDescription> read = described(written);
+            if (!read) return pass_on(read);
+            return place(single, std::move(*read));
+        }
         if (written.number >= written_.size()) written_.resize(written.number + 1);
         std::optional<LightDescription>& known = written_[written.number];
         if (!known) {
@@ -139,7 +144,10 @@ private:
             if (!read) return pass_on(read);
             known = std::move(*read);
         }
-        LightDescription light = single.repeated ? *known : *std::exchange(known, std::nullopt);
+        return place(single, *known);
+    }
+
+    Result<void> place(const detail::SingleLight& single, LightDescription light) {
         light.name = single.name;
         light.position = single.position;
         if (single.target)
@@ -417,7 +425,7 @@ private:
     Rig rig_;
     bool schema_seen_ = false;
     bool luminaires_seen_ = false;
-    std::vector<detail::Luminaire> luminaires_;
+    detail::Luminaires luminaires_;
     double maintenance_ = 1.0;
     detail::RigExpander expander_{rig_.source, luminaires_};
     std::vector<std::optional<LightDescription>> written_; // of the element of "lights" that is read

@@ -37,16 +37,17 @@
 //                             { "shape": "spot:outer=20deg", "intensity": "900cd", "position": [0, 1, 3],
 //                               "target": [0, 2, 1.5] } ] } ]
 //
-// With a sky or a surface that emits, `lights` may be an empty array. Only `shape` is required for a light; the
-// defaults are those of LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum are
-// relative to the rig's folder and must be regular files under it, symbolic links resolved, unless RigReadOptions
+// With a sky or a surface that emits, `lights` may be an empty array. Only `shape`, or `luminaire`, is required for a
+// light; the defaults are those of LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum
+// are relative to the rig's folder and must be regular files under it, symbolic links resolved, unless RigReadOptions
 // allows others; a profile is read once and shared by every light that names it. The JSON is read as a stream: memory
 // grows only with the lights (about 0.5 kB each, including resolving); nesting and the size of one light are limited. A
 // million lights take 2.4 s. rig.schema.json beside this file is the schema for editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0106]: lights[3].shape: …", or without line and column
-// where values contradict each other or a light cannot be resolved. malformed: JSON, an unknown key, a wrong type, a bad value; io: a
-// file that cannot be read or may not be named; unsupported: a feature of a shape or colour that gonio does not have.
+// where values contradict each other or a light cannot be resolved. malformed: JSON, an unknown key, a wrong type, a bad
+// value; io: a file that cannot be read or may not be named; unsupported: a feature of a shape or colour that gonio
+// does not have.
 #pragma once
 
 #include <gonio/base/result.hpp>

@@ -1,6 +1,7 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/limits.hpp>
+#include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/detail/rig_expand.hpp>
 #include <gonio/scene/detail/rig_values.hpp>
@@ -54,13 +55,12 @@ struct Array {
 
 // A light or a group, its values read.
 struct Node {
-    WrittenLight written;    // of a light
+    WrittenLight written;    // of a light; its path is that of a group, too
     std::vector<Node> nodes; // of a group, at least one
-    std::string path;
     std::string name;
     bool is_named = false;
-    std::vector<glm::dvec3> positions{glm::dvec3(0.0)};
-    bool has_positions = false; // a list
+    glm::dvec3 position{0.0};
+    std::vector<glm::dvec3> positions; // instead, if not empty
     std::optional<Array> array;
     std::optional<glm::dvec3> direction;
     std::optional<glm::dvec3> target;
@@ -71,7 +71,7 @@ struct Node {
     std::size_t lights = 1; // that it makes
 
     bool is_group() const { return !nodes.empty(); }
-    bool makes_lights() const { return is_group() || array || has_positions; }
+    bool makes_lights() const { return is_group() || array || !positions.empty(); }
 };
 
 // Saturates.
@@ -81,34 +81,34 @@ std::size_t product(std::size_t a, std::size_t b) {
 
 class NodeReader {
 public:
-    NodeReader(const std::string& source, const std::vector<Luminaire>& luminaires)
-        : source_(source), luminaires_(luminaires) {}
+    NodeReader(const std::string& source, const Luminaires& luminaires) : source_(source), luminaires_(luminaires) {}
 
     // The element with this index in its list.
     Result<Node> read(const Json& json, std::string path, std::size_t index) {
         Node node;
-        node.path = std::move(path);
+        node.written.path = std::move(path);
+        const std::string& place = node.written.path;
         if (!json.is_object())
-            return at(node.path, rig_value_error("RIG0105", fmt::format("must be an object, not {}", type_of(json))));
+            return at(place, rig_value_error("RIG0105", fmt::format("must be an object, not {}", type_of(json))));
         const bool is_group = json.contains("lights");
         const std::span<const std::string_view> known =
             is_group ? std::span<const std::string_view>(group_keys) : rig_light_keys();
-        if (Result<void> keys = check_group(json); !keys) return at(node.path, keys);
-        if (Result<void> keys = check_keys(json, known); !keys) return at(node.path, keys);
+        if (is_group)
+            if (Result<void> keys = check_group(json); !keys) return at(place, keys);
+        if (Result<void> keys = check_keys(json, known); !keys) return at(place, keys);
         for (const auto& [one, other] : excluding)
-            if (json.contains(one) && json.contains(other))
-                return at(node.path, rig_value_error("RIG0107", fmt::format("has both '{}' and '{}'", one, other),
-                                                     fmt::format("leave one of them out")));
+            if (json.contains(other) && json.contains(one))
+                return at(place, rig_value_error("RIG0107", fmt::format("has both '{}' and '{}'", one, other),
+                                                 fmt::format("leave one of them out")));
         for (const auto& [key, value] : json.items())
             if (Result<void> read = read_value(key, value, node); !read)
-                return at(fmt::format("{}.{}", node.path, key), read);
+                return at(fmt::format("{}.{}", place, key), read);
         if (const Json* const array = json.find("array"))
             if (Result<void> read = read_array(*array, node); !read) return pass_on(read);
         if (const Json* const lights = json.find("lights"))
             if (Result<void> read = read_lights(*lights, node); !read) return pass_on(read);
         if (!is_group) {
             node.written.keys = &json;
-            node.written.path = node.path;
             node.written.number = written_++;
         }
         if (!node.is_named)
@@ -117,7 +117,8 @@ public:
                                     : node.written.luminaire != nullptr ? node.written.luminaire->name
                                                                         : "light",
                                     index + 1);
-        node.lights = product(node.lights, product(node.positions.size(), node.array ? node.array->size() : 1));
+        node.lights = product(
+            node.lights, product(std::max<std::size_t>(node.positions.size(), 1), node.array ? node.array->size() : 1));
         return node;
     }
 
@@ -134,7 +135,6 @@ private:
 
     // A key of a light in a group is not a typo.
     static Result<void> check_group(const Json& json) {
-        if (!json.contains("lights")) return {};
         for (const auto& [key, value] : json.items())
             if (std::find(group_keys.begin(), group_keys.end(), key) == group_keys.end() &&
                 std::find(rig_light_keys().begin(), rig_light_keys().end(), key) != rig_light_keys().end())
@@ -149,7 +149,7 @@ private:
             return keep(name_of(value), node.name);
         }
         if (key == "luminaire") return read_luminaire(value, node);
-        if (key == "position") return keep(position_of(value), node.positions.front());
+        if (key == "position") return keep(position_of(value), node.position);
         if (key == "positions") return read_positions(value, node);
         if (key == "direction") return keep(nonzero_vector_of(value), node.direction);
         if (key == "target") return keep(position_of(value), node.target);
@@ -163,27 +163,28 @@ private:
     Result<void> read_luminaire(const Json& json, Node& node) const {
         Result<std::string> name = text_of(json, R"(for example "A", a name of the rig's "luminaires")");
         if (!name) return pass_on(name);
-        const auto found = std::find_if(luminaires_.begin(), luminaires_.end(),
-                                        [&](const Luminaire& luminaire) { return luminaire.name == *name; });
-        if (found != luminaires_.end()) {
-            node.written.luminaire = &*found;
+        if (const auto found = luminaires_.find(*name); found != luminaires_.end()) {
+            node.written.luminaire = &found->second;
             return {};
         }
         if (luminaires_.empty())
             return rig_value_error("RIG0103", fmt::format("unknown luminaire '{}'", *name),
                                    R"(the rig has no "luminaires": write "luminaires": { "A": { "shape": … } })");
         std::vector<std::string_view> names;
-        for (const Luminaire& luminaire : luminaires_)
-            names.push_back(luminaire.name);
-        return unknown_name("luminaire", *name, names);
+        for (const auto& [known, luminaire] : luminaires_)
+            names.push_back(known);
+        constexpr std::size_t most_listed = 40;
+        if (names.size() <= most_listed) return unknown_name("luminaire", *name, names);
+        const std::string_view near = nearest(*name, names);
+        return rig_value_error("RIG0103", fmt::format("unknown luminaire '{}'", *name),
+                               near.empty() ? fmt::format("the rig has {} others", names.size())
+                                            : fmt::format("did you mean '{}'?", near));
     }
 
     static Result<void> read_positions(const Json& json, Node& node) {
         if (!json.is_array() || json.empty())
             return rig_value_error("RIG0105", "must be an array of at least one position",
                                    "for example [[0, 0, 2.5], [1, 0, 2.5]]");
-        node.has_positions = true;
-        node.positions.clear();
         for (const Json& each : json) {
             Result<glm::dvec3> position = position_of(each);
             if (!position) {
@@ -197,7 +198,7 @@ private:
     }
 
     Result<void> read_array(const Json& json, Node& node) const {
-        const std::string path = node.path + ".array";
+        const std::string path = node.written.path + ".array";
         const auto refuse = [&](std::string_view key, RigCode code, std::string message, std::string hint = {}) {
             return rig_error(code, source_, fmt::format("{}{}", path, key), std::move(message), std::move(hint));
         };
@@ -285,7 +286,7 @@ private:
     }
 
     Result<void> read_lights(const Json& json, Node& node) { // NOLINT(misc-no-recursion): as deep as rig-depth
-        const std::string path = node.path + ".lights";
+        const std::string path = node.written.path + ".lights";
         if (!json.is_array() || json.empty())
             return rig_error("RIG0104", source_, path, "must be an array of at least one light",
                              R"(for example [ { "shape": "point", "intensity": "800lm" } ])");
@@ -300,7 +301,7 @@ private:
     }
 
     const std::string& source_;
-    const std::vector<Luminaire>& luminaires_;
+    const Luminaires& luminaires_;
     std::size_t written_ = 0;
 };
 
@@ -324,27 +325,31 @@ public:
 
     // The copies of a node, which number themselves where there are several.
     Result<void> make(const Node& node, const Placement& around) { // NOLINT(misc-no-recursion): as deep as rig-depth
-        for (std::size_t p = 0; p < node.positions.size(); ++p) {
-            const std::string of_list = node.has_positions ? fmt::format("[{}]", p + 1) : std::string();
-            if (!node.array) {
-                if (Result<void> made = one(node, around, node.positions[p], of_list); !made) return made;
-                continue;
-            }
-            const Array& array = *node.array;
-            for (std::size_t k = 0; k < array.count[2]; ++k)
-                for (std::size_t j = 0; j < array.count[1]; ++j)
-                    for (std::size_t i = 0; i < array.count[0]; ++i) {
-                        const std::string number = array.count[2] > 1
-                                                       ? fmt::format("{}[{},{},{}]", of_list, i + 1, j + 1, k + 1)
-                                                       : fmt::format("{}[{},{}]", of_list, i + 1, j + 1);
-                        Result<void> made = one(node, around, node.positions[p] + array.offset({i, j, k}), number);
-                        if (!made) return made;
-                    }
-        }
+        if (node.positions.empty()) return rows(node, around, node.position, {});
+        for (std::size_t p = 0; p < node.positions.size(); ++p)
+            if (Result<void> made = rows(node, around, node.positions[p], fmt::format("[{}]", p + 1)); !made)
+                return made;
         return {};
     }
 
 private:
+    // The array around one position, or the one light there.
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as rig-depth
+    Result<void> rows(const Node& node, const Placement& around, const glm::dvec3& at, const std::string& number) {
+        if (!node.array) return one(node, around, at, number);
+        const Array& array = *node.array;
+        for (std::size_t k = 0; k < array.count[2]; ++k)
+            for (std::size_t j = 0; j < array.count[1]; ++j)
+                for (std::size_t i = 0; i < array.count[0]; ++i) {
+                    const std::string in_rows = array.count[2] > 1
+                                                    ? fmt::format("{}[{},{},{}]", number, i + 1, j + 1, k + 1)
+                                                    : fmt::format("{}[{},{}]", number, i + 1, j + 1);
+                    if (Result<void> made = one(node, around, at + array.offset({i, j, k}), in_rows); !made)
+                        return made;
+                }
+        return {};
+    }
+
     // NOLINTNEXTLINE(misc-no-recursion): as deep as rig-depth
     Result<void> one(const Node& node, const Placement& around, const glm::dvec3& at, const std::string& number) {
         if (!node.is_group()) return light(node, around, at, number);
@@ -371,13 +376,14 @@ private:
     }
 
     Result<void> light(const Node& node, const Placement& around, const glm::dvec3& at, const std::string& number) {
-        SingleLight light{node.written, repeated_, fmt::format("{}{}{}", around.names, node.name, number)};
+        SingleLight light{node.written, repeated_,
+                          around.names.empty() && number.empty() ? node.name : around.names + node.name + number};
         light.position = around.point(at);
         if (!glm::all(glm::lessThanEqual(glm::abs(light.position), glm::dvec3(farthest))))
-            return rig_error("RIG0106", source_, node.path,
+            return rig_error("RIG0106", source_, node.written.path,
                              fmt::format("places '{}' farther away than {} m", light.name, farthest));
         if (node.target && *node.target == at)
-            return rig_error("RIG0106", source_, node.path + ".target",
+            return rig_error("RIG0106", source_, node.written.path + ".target",
                              fmt::format("is at the position of '{}', so there is no direction to it", light.name),
                              "move one of them, or give a direction");
         light.direction = node.direction;
@@ -432,11 +438,11 @@ Result<double> maintenance_of(const Json& json) {
     return share;
 }
 
-Result<std::vector<Luminaire>> read_luminaires(const Json& json, const std::string& source) {
+Result<Luminaires> read_luminaires(const Json& json, const std::string& source) {
     if (!json.is_object())
         return rig_error("RIG0105", source, "luminaires", fmt::format("must be an object, not {}", type_of(json)),
                          R"(for example { "A": { "shape": "ies:lamp.ies" } })");
-    std::vector<Luminaire> luminaires;
+    Luminaires luminaires;
     for (const auto& [name, keys] : json.items()) {
         Luminaire luminaire{name, keys};
         const std::string path = fmt::format("luminaires.{}", name);
@@ -455,7 +461,7 @@ Result<std::vector<Luminaire>> read_luminaires(const Json& json, const std::stri
         if (const Json* const value = keys.find("maintenance"))
             if (Result<void> read = keep(maintenance_of(*value), luminaire.maintenance); !read)
                 return placed(read.error(), source, path + ".maintenance");
-        luminaires.push_back(std::move(luminaire));
+        luminaires.emplace(name, std::move(luminaire));
     }
     return luminaires;
 }
@@ -464,7 +470,7 @@ Result<void> RigExpander::expand(const Json& json, std::size_t index, const Sing
     Result<Node> node = NodeReader(source_, luminaires_).read(json, fmt::format("lights[{}]", index), index);
     if (!node) return pass_on(node);
     const auto beyond = [&](const Limit& limit) {
-        return rig_error("RIG0108", source_, node->path, fmt::format("makes more than {}", to_text(limit)),
+        return rig_error("RIG0108", source_, node->written.path, fmt::format("makes more than {}", to_text(limit)),
                          std::string(limits_hint));
     };
     if (node->makes_lights()) {

@@ -55,11 +55,11 @@ std::string indented(const Json& json) {
 } // namespace
 
 Result<std::string> expand_rig(std::string_view text, const std::string& source) {
-    std::vector<detail::Luminaire> luminaires;
+    detail::Luminaires luminaires;
     const detail::RigSink find{[](std::size_t /*index*/, const Json& /*json*/) { return Result<void>(); },
                                [&](const std::string& key, const Json& json) -> Result<void> {
                                    if (key != "luminaires") return {};
-                                   Result<std::vector<detail::Luminaire>> read = detail::read_luminaires(json, source);
+                                   Result<detail::Luminaires> read = detail::read_luminaires(json, source);
                                    if (!read) return pass_on(read);
                                    luminaires = std::move(*read);
                                    return {};

@@ -84,11 +84,23 @@ TEST(ReceiverGrid, WrongPolygonsAreRefused) {
     EXPECT_NE(refusal(Corners(2000, glm::dvec3(1, 2, 3))).find("polygon-corners"), std::string::npos);
 }
 
+TEST(ReceiverGrid, PercentilesAreLinearBetweenValues) {
+    const std::vector<double> values{4, 1, 3, 2, 5};
+    EXPECT_EQ(percentile(values, 0.0), 1.0);
+    EXPECT_EQ(percentile(values, 50.0), 3.0);
+    EXPECT_DOUBLE_EQ(percentile(values, 95.0), 4.8);
+    EXPECT_EQ(percentile(values, 100.0), 5.0);
+    EXPECT_EQ(percentile({}, 50.0), 0.0);
+}
+
 TEST(ReceiverGrid, WallsOfAStage) {
     const std::optional<FloorArea> room = area_between_walls(make_stage("room").value(), 0.8);
     ASSERT_TRUE(room);
     EXPECT_LT(room->low.x, room->high.x);
     EXPECT_FALSE(area_between_walls(make_stage("floor").value(), 0.8));
+    EXPECT_EQ(beyond_height(make_stage("room").value(), 0.8), nullptr);
+    EXPECT_EQ(beyond_height(make_stage("room").value(), 80.0)->name, "ceiling");
+    EXPECT_EQ(beyond_height(make_stage("room").value(), -0.1)->name, "floor");
 }
 
 } // namespace

@@ -11,7 +11,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,10 +27,11 @@ struct Luminaire {
     double dimming = 1.0;
     double maintenance = 1.0;
 };
+using Luminaires = std::map<std::string, Luminaire, std::less<>>; // by name
 
 // Reads the value of the rig's key "luminaires": keys, dimming and maintenance; the other values are left to the
 // reader of lights.
-Result<std::vector<Luminaire>> read_luminaires(const Json& json, const std::string& source);
+Result<Luminaires> read_luminaires(const Json& json, const std::string& source);
 
 // A light as written.
 struct WrittenLight {
@@ -58,8 +59,7 @@ using SingleLightSink = std::function<Result<void>(const SingleLight& light)>;
 class RigExpander {
 public:
     // The arguments must outlive it.
-    RigExpander(const std::string& source, const std::vector<Luminaire>& luminaires)
-        : source_(source), luminaires_(luminaires) {}
+    RigExpander(const std::string& source, const Luminaires& luminaires) : source_(source), luminaires_(luminaires) {}
 
     // The lights of an element of the rig's "lights", which has this index there. Fails as reading a rig does, and with
     // RIG0108, before any light is made, if the rig would have more than the limits rig-lights and rig-array.
@@ -67,7 +67,7 @@ public:
 
 private:
     const std::string& source_;
-    const std::vector<Luminaire>& luminaires_;
+    const Luminaires& luminaires_;
     std::size_t lights_ = 0; // so far
     std::size_t made_ = 0;   // of them, by arrays, lists of positions and groups
 };
