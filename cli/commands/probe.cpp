@@ -44,6 +44,8 @@ constexpr std::array examples{
             "the working plane of the rig's room, with a number in each cell of its plan"},
     Example{"gonio probe --rig room.json --workplane 1.2m --quantity cylindrical --indirect",
             "how well faces are lit there"},
+    Example{"gonio probe --rig room.json --indirect --at 0,-2,1.2 --normal 0,1,0 --glare",
+            "UGR of an observer who looks along Y, and the share of each luminaire"},
     Example{"gonio probe --shape rect:w=60cm,h=30cm --intensity 4000lm --position 0,0,1 --at 0.5,0,0 "
             "--compare exact,frostbite",
             "the error of an approximation"},
@@ -59,7 +61,7 @@ constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // shares of light
 constexpr std::size_t points_at_once = std::size_t{1} << 16;
 
 // The stage's shadows on the share of each light, the light of the sky, and what the stage reflects.
-void add_stage_light(const ReceiverLight& on_stage, ProbeStretch& stretch) {
+void add_stage_light(const ReceiverLight& on_stage, const ProbeRequest& request, ProbeStretch& stretch) {
     ProbeResult& result = stretch.by_method.front();
     const ReceiverLight::Shares shares = on_stage.at(stretch.receivers);
     const std::size_t lights = stretch.receivers.empty() ? 0 : shares.visible.size() / stretch.receivers.size();
@@ -74,6 +76,11 @@ void add_stage_light(const ReceiverLight& on_stage, ProbeStretch& stretch) {
     }
     stretch.sky_lx = shares.sky_lx;
     stretch.indirect_lx = shares.indirect_lx;
+    if (!request.glare) return;
+    for (std::size_t i = 0; i < stretch.receivers.size(); ++i)
+        stretch.glare.push_back(glare_rating(request.lights, stretch.receivers[i],
+                                             std::span(shares.visible).subspan(i * lights, lights),
+                                             shares.sky_lx[i] + shares.indirect_lx[i]));
 }
 
 // The same for an illuminance that is not of a flat surface, from the surfaces that stand for it. A light is hidden as
@@ -136,7 +143,7 @@ Result<void> evaluate(const ProbeRequest& request, const std::optional<ReceiverL
         stretch.by_method.push_back(std::move(*result));
     }
     if (is_planar) {
-        if (on_stage) add_stage_light(*on_stage, stretch);
+        if (on_stage) add_stage_light(*on_stage, request, stretch);
         return {};
     }
     ProbeResult& result = stretch.by_method.front();

@@ -4,6 +4,8 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/grid_diagram.hpp>
 
+#include "../facts_text.hpp"
+#include "../options/glare_remarks.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 
@@ -98,6 +100,20 @@ Json method_json(const ProbeRequest& request, const ProbeStretch& stretch, std::
     return json;
 }
 
+// Of the sum L²ω/p² of all lights.
+double share_of_glare(const GlareRating& rating, std::size_t light) {
+    double sum = 0.0;
+    for (const GlareShare& share : rating.lights)
+        sum += share.sum;
+    return sum > 0.0 ? rating.lights[light].sum / sum : 0.0;
+}
+
+// " UGR 17.2 before 45 nt"
+std::string glare_text(const GlareRating& rating) {
+    const std::string ugr = !rating.ugr ? "none" : *rating.ugr < 10.0 ? "below 10" : fmt::format("{:.1f}", *rating.ugr);
+    return fmt::format(", UGR {} before {} nt", ugr, rounded(rating.background.value, 4));
+}
+
 Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::size_t i) {
     const Receiver& receiver = stretch.receivers[i];
     const ProbeResult& result = stretch.by_method.front();
@@ -119,11 +135,22 @@ Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::s
             methods.push_back(method_json(request, stretch, m, i));
         json["methods"] = std::move(methods);
     }
+    if (!stretch.glare.empty()) {
+        json["ugr"] = number_or_null(stretch.glare[i].ugr);
+        json["background_nt"] = stretch.glare[i].background.value;
+    }
     Json lights = Json::array();
     for (std::size_t l = 0; l < request.lights.size(); ++l) {
         const std::size_t part = i * request.lights.size() + l;
         Json light{{"name", request.lights[l].name}, {"illuminance_lx", result.parts_lx[part]}};
         if (!result.parts_nt.empty()) light["luminance_nt"] = luminance_json(result.parts_nt[part], estimated);
+        if (!stretch.glare.empty()) {
+            const GlareShare& share = stretch.glare[i].lights[l];
+            light["glare"] = {{"source_luminance_nt", share.luminance.value},
+                              {"solid_angle_sr", share.solid_angle_sr},
+                              {"position_index", share.position_index},
+                              {"share", share_of_glare(stretch.glare[i], l)}};
+        }
         lights.push_back(std::move(light));
     }
     json["lights"] = std::move(lights);
@@ -205,6 +232,10 @@ void ProbeReport::add(const ProbeStretch& stretch) {
                                  : stretch.horizontal_lx.empty() ? result.illuminance_lx[i]
                                                                  : index_of(stretch, i));
     }
+    for (const GlareRating& rating : stretch.glare) {
+        lacks_rating_ = lacks_rating_ || !rating.ugr;
+        has_too_large_ = has_too_large_ || rating.has_too_large;
+    }
     indirect_lx_.insert(indirect_lx_.end(), stretch.indirect_lx.begin(), stretch.indirect_lx.end());
     note_error(stretch.by_method.front());
     remarks_.add(stretch.by_method.front().remarks, stretch.first);
@@ -213,6 +244,7 @@ void ProbeReport::add(const ProbeStretch& stretch) {
 void ProbeReport::end(Diagnostics& diagnostics) {
     const Diagnostics said = to_diagnostics(remarks_, request_.lights);
     diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+    add_glare_remarks(lacks_rating_, has_too_large_, diagnostics);
     if (json_) {
         json_->end_array();
         if (request_.methods.front() == IrradianceMethod::reference) json_->member("error_estimate", largest_error_);
@@ -262,6 +294,7 @@ void ProbeReport::print_csv_heading() {
         console_.print(fmt::format(",{}_lx", source.name));
     if (request_.options.view) console_.print(",diffuse_nt,specular_nt,total_nt");
     if (request_.kind == IlluminanceKind::modelling) console_.print(",horizontal_lx,modelling_index");
+    if (request_.glare) console_.print(",ugr,background_nt");
     console_.print(request_.options.view && estimated() ? ",error_nt\n" : "\n");
 }
 
@@ -287,6 +320,11 @@ void ProbeReport::csv_row(const ProbeStretch& stretch, std::size_t i) {
         }
         if (!stretch.horizontal_lx.empty())
             row += fmt::format(",{},{}", shortest(stretch.horizontal_lx[i]), shortest(index_of(stretch, i)));
+        if (!stretch.glare.empty()) {
+            const GlareRating& rating = stretch.glare[i];
+            row += fmt::format(",{},{}", rating.ugr ? shortest(*rating.ugr) : std::string(),
+                               shortest(rating.background.value));
+        }
     }
     console_.print(row + '\n');
 }
@@ -320,12 +358,15 @@ void ProbeReport::text_lines(const ProbeStretch& stretch, std::size_t i) {
         console_.print(luminance_text(result.luminance[i]));
         if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.luminance[i].error_estimate.value, 2)));
     }
+    if (!stretch.glare.empty()) console_.print(glare_text(stretch.glare[i]));
     console_.print("\n");
     if (!lights_listed_too()) return;
     for (std::size_t l = 0; l < request_.lights.size(); ++l) {
         const std::size_t part = i * request_.lights.size() + l;
         console_.print(fmt::format("  {:<22}{:>14} lx", request_.lights[l].name, rounded(result.parts_lx[part])));
         if (!result.parts_nt.empty()) console_.print(luminance_text(result.parts_nt[part]));
+        if (!stretch.glare.empty())
+            console_.print(fmt::format(", {:.1f} % of the glare", 100.0 * share_of_glare(stretch.glare[i], l)));
         console_.print("\n");
     }
 }
@@ -473,8 +514,9 @@ Result<void> ProbeReport::draw(Diagnostics& diagnostics) const {
                          ? "modelling index"
                          : fmt::format("{} illuminance", name_of(request_.kind));
     const std::string unit = plot.unit.empty() ? std::string() : " " + plot.unit;
-    plot.facts = fmt::format("min {}{}, mean {}{}, max {}{}, min/mean {}", rounded(all.least, 3), unit,
-                             rounded(all.mean, 3), unit, rounded(all.greatest, 3), unit, rounded(all.uniformity(), 2));
+    plot.facts =
+        fmt::format("min {}{}, mean {}{}, max {}{}, min/mean {}", amount_text(all.least), unit, amount_text(all.mean),
+                    unit, amount_text(all.greatest), unit, rounded(all.uniformity(), 2));
     if (is_plan) plot.facts = fmt::format("at {} m: {}", rounded(grid.corner.z, 4), plot.facts);
     return write_grid_drawing(drawing, std::move(plot), diagnostics);
 }

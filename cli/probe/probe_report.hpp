@@ -5,6 +5,7 @@
 
 #include "../console.hpp"
 #include "../json_writer.hpp"
+#include "glare_rating.hpp"
 #include "request.hpp"
 
 #include <cstddef>
@@ -25,6 +26,7 @@ struct ProbeStretch {
     std::vector<double> sky_lx;
     std::vector<double> indirect_lx;
     std::vector<double> horizontal_lx; // of the modelling index, else empty
+    std::vector<GlareRating> glare;    // with --glare, else empty
 };
 
 class ProbeReport {
@@ -73,6 +75,8 @@ private:
     const ProbeRequest& request_;
     Console& console_;
     std::optional<JsonWriter> json_;
+    bool lacks_rating_ = false;
+    bool has_too_large_ = false;
     std::vector<std::vector<double>> values_; // of each method, for the summary
     std::vector<double> indirect_lx_;
     double largest_error_ = 0.0; // relative, of the method reference

@@ -213,6 +213,23 @@ Result<void> read_drawing(const Arguments& arguments, ProbeRequest& request) {
     return {};
 }
 
+Result<void> read_glare(const Arguments& arguments, ProbeRequest& request) {
+    request.glare = arguments.has("--glare");
+    if (!request.glare) return {};
+    if (!arguments.has("--indirect"))
+        return fail("USE0104", "--glare needs --indirect", "UGR compares the luminaires with what the room reflects");
+    if (request.kind != IlluminanceKind::planar || request.points.grid || request.points.workplane)
+        return fail("USE0107", "--glare is for eyes at single points",
+                    "use --at and --normal, or --points with normals");
+    if (!request.points.has_normals && !arguments.has("--points"))
+        return fail("USE0104", "--glare needs the direction in which the eyes look", "add --normal, such as 0,1,0");
+    for (const Receiver& receiver : request.points.receivers)
+        if (!(std::abs(unit_vector(receiver.normal)->z) < 1.0 - 1e-9))
+            return fail("USE0106", "--glare is not defined for eyes that look straight up or down",
+                        "give --normal the direction of view");
+    return {};
+}
+
 Result<void> read_form(const Arguments& arguments, ProbeRequest& request) {
     const std::array given{arguments.has("--json"), arguments.has("--jsonl"), arguments.has("--csv")};
     if (std::count(given.begin(), given.end(), true) > 1)
@@ -242,6 +259,7 @@ Result<ProbeRequest> parse_probe(const Arguments& arguments) {
     if (!points) return pass_on(points);
     request.points = std::move(*points);
     read = read_quantity(arguments, request);
+    if (read) read = read_glare(arguments, request);
     if (read) read = read_drawing(arguments, request);
     if (!read) return pass_on(read);
     if (Result<void> lights = read_lights(arguments, request); !lights) return pass_on(lights);

@@ -29,6 +29,7 @@ inline constexpr std::array probe_options{
            "planar, horizontal, vertical, cylindrical, semi-cylindrical, hemispherical or modelling (planar); vertical "
            "and semi-cylindrical face --normal",
            "quantities"},
+    Option{"--glare", "", "rate the glare (UGR) for eyes at the points that look along --normal; needs --indirect"},
     Option{"--error", "E", "relative tolerance of the method reference (1e-6)"},
     Option{"--view", "X,Y,Z",
            "also print the luminance: direction from the points to the eye, or at:X,Y,Z for its position"},
@@ -70,6 +71,7 @@ struct ProbeRequest {
     ProbeOptions options;
     std::optional<Stage> stage; // of --indirect or --sky, whose stage may have no surfaces
     bool indirect = false;
+    bool glare = false;
     Sky sky;
     ProbeForm form = ProbeForm::text;
     IlluminanceKind kind = IlluminanceKind::planar;

@@ -1,7 +1,9 @@
 #include "room_report.hpp"
 
-#include <gonio/base/codes/result.hpp>
 #include <gonio/base/unit_text.hpp>
+
+#include "../facts_text.hpp"
+#include "../options/glare_remarks.hpp"
 
 #include <fmt/format.h>
 
@@ -77,13 +79,7 @@ void add_remarks(const RoomPlan& plan, Diagnostics& diagnostics) {
         has_too_large = has_too_large || seen.has_too_large;
         is_rated = is_rated && seen.ugr;
     }
-    if (has_too_large)
-        diagnostics.push_back(result_diagnostic("RES0601", "a luminaire fills more than 0.1 sr of an observer's view",
-                                                "take its UGR as a rough figure"));
-    if (!is_rated)
-        diagnostics.push_back(
-            result_diagnostic("RES0602", "some observers have no UGR",
-                              "the luminaire states no luminous opening, or does not shine to the eye"));
+    add_glare_remarks(!is_rated, has_too_large, diagnostics);
 }
 
 Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnostics& diagnostics) {
@@ -185,8 +181,8 @@ GridPlot room_plot(const RoomRequest& request, const RoomPlan& plan) {
     for (const Light& light : plan.lights)
         plot.marks.push_back({light.frame.origin.x, light.frame.origin.y});
     plot.title = fmt::format("illuminance at {} m", rounded(request.plan.plane_height_m, 4));
-    plot.facts = fmt::format("min {} lx, mean {} lx, max {} lx, min/mean {}", rounded(plan.spread.least, 3),
-                             rounded(plan.spread.mean, 3), rounded(plan.spread.greatest, 3),
+    plot.facts = fmt::format("min {} lx, mean {} lx, max {} lx, min/mean {}", amount_text(plan.spread.least),
+                             amount_text(plan.spread.mean), amount_text(plan.spread.greatest),
                              rounded(plan.spread.uniformity(), 2));
     return plot;
 }

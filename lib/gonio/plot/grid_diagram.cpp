@@ -218,7 +218,7 @@ Result<Drawing> grid_diagram(const GridPlot& plot, bool& left_out) {
     if (!levels.empty()) {
         std::string text = "lines";
         for (std::size_t i = 0; i < levels.size(); ++i)
-            text += fmt::format("{} {}", i == 0 ? "" : ",", rounded(levels[i], 3));
+            text += fmt::format("{} {}", i == 0 ? "" : ",", rounded(levels[i], levels[i] >= 1000.0 ? 6 : 3));
         page.text({chart.inner().right, chart.inner().top - 8.0},
                   plot.unit.empty() ? text : fmt::format("{} {}", text, plot.unit),
                   {TextAnchor::end, 11.0, ink(0x555555)});

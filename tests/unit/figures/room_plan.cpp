@@ -54,16 +54,16 @@ TEST(RoomPlan, HasTheIlluminanceOfUtilisationFactors) {
         std::size_t index; // of room_indices
         std::size_t column;
     };
-    for (const Case& tried : {Case{2, 2}, Case{2, 5}, Case{5, 2}, Case{0, 7}}) {
+    for (const Case& tried : {Case{2, 2}, Case{5, 5}, Case{0, 7}}) {
         const double side = 2.0 * room_indices.at(tried.index) * 3.0;
         RoomPlanRequest request = room(side, side, 3.0);
         request.reflectances = utilisation_reflectances.at(tried.column);
         request.plane_height_m = 0.0;
         request.wall_zone_m = 0.0;
         request.maintenance_factor = 1.0;
-        request.layout = RoomLayout{10, 10};
+        request.layout = RoomLayout{8, 8};
         const RoomPlan plan = planned(luminaire(1000.0, {0.1, 0.1, 0.0}), request);
-        const double expected_lx = 100.0 * 1000.0 * factors.at(tried.index).at(tried.column) / (side * side);
+        const double expected_lx = 64.0 * 1000.0 * factors.at(tried.index).at(tried.column) / (side * side);
         EXPECT_NEAR(plan.spread.mean, expected_lx, 0.03 * expected_lx) << tried.index << ' ' << tried.column;
     }
 }
