@@ -45,8 +45,8 @@
 // million lights take 2.4 s. rig.schema.json beside this file is the schema for editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0106]: lights[3].shape: …", or without line and column
-// where values contradict each other or a light cannot be resolved. malformed: JSON, an unknown key, a wrong type, a bad
-// value; io: a file that cannot be read or may not be named; unsupported: a feature of a shape or colour that gonio
+// where values contradict each other or a light cannot be resolved. malformed: JSON, an unknown key, a wrong type, a
+// bad value; io: a file that cannot be read or may not be named; unsupported: a feature of a shape or colour that gonio
 // does not have.
 #pragma once
 
