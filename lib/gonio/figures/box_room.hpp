@@ -29,6 +29,7 @@ double facing_rectangles_form_factor(double x, double y);
 // Lumens reaching each surface in the end per lumen that falls on one of them first: floor_from.walls is what a lumen
 // on the walls brings to the floor. The first fall counts.
 struct FluxTransfer {
+    // Of a lumen on each surface.
     struct Sources {
         double floor = 0.0;
         double walls = 0.0;

@@ -37,6 +37,7 @@ struct HighAngles {
     double above_95_cd = 0.0;
 };
 
+// Those of a web.
 HighAngles high_angles(const Web& web);
 
 // IES cut-off classification (RP-8-00, since replaced by BUG).
@@ -58,6 +59,9 @@ struct GlareIndex {
     double cd_per_m = 0.0;
     int glare_index_class = 0;
 };
+
+// That of a web, whose frame the opening is in. There is none without an opening, or if it has no area at 85° where the
+// luminaire shines.
 Figure<GlareIndex> glare_index(const Web& web, const Opening& opening);
 
 // DIN 5040: A direct, from 0.9 of the light downward, B from 0.6, C from 0.4, D from 0.1, E indirect.

@@ -52,6 +52,7 @@ inline constexpr std::array<RoomReflectances, 5> ugr_reflectances{
 // those by the second within 0.27 of Relux', the first within 0.34.
 enum class UgrInterpolation { intensity, luminance };
 
+// What a table of UGR is made for.
 struct UgrOptions {
     double spacing = 0.25; // between luminaires, in the unit of the rooms' sides; 0.25 in catalogues, 1 in CIE 190
     UgrInterpolation interpolation = UgrInterpolation::intensity;
