@@ -53,11 +53,10 @@ CutOff cut_off(const HighAngles& high, Lumens lamps);
 // 6 nowhere above 90°; up to 1 cd/klm is taken for nothing.
 int luminous_intensity_class(const HighAngles& high, Lumens lumens);
 
-// EN 13201-2, annex A: 0 for none, else D1 to D6, the strictest that holds: the greatest over C of I/√A at γ = 85°
-// [cd/m].
+// EN 13201-2, annex A: the greatest over C of I/√A at γ = 85°, with the projected area A.
 struct GlareIndex {
     double cd_per_m = 0.0;
-    int glare_index_class = 0;
+    int glare_index_class = 0; // 0 for none, else D1 to D6, the strictest that holds
 };
 
 // That of a web, whose frame the opening is in. There is none without an opening, or if it has no area at 85° where the
