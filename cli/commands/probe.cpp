@@ -100,6 +100,7 @@ Result<void> add_spatial_stage_light(const ReceiverLight& on_stage, const ProbeR
     const std::size_t each = stretch.receivers.empty() ? 0 : receivers.size() / stretch.receivers.size();
     ProbeOptions options = request.options;
     options.parts = true;
+    options.method = IrradianceMethod::point; // only weights
     Result<ProbeResult> flat = probe(request.lights, receivers, options);
     if (!flat) return pass_on(flat);
     const ReceiverLight::Shares shares = on_stage.at(receivers);

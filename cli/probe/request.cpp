@@ -4,6 +4,7 @@
 #include <gonio/scene/material_charts.hpp>
 #include <gonio/transport/receiver_light.hpp>
 
+#include "../options/files_in_use.hpp"
 #include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/rig_input.hpp"
@@ -71,6 +72,8 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
     if (!lit) return pass_on(lit);
     LightsInput& input = lit->lights;
     request.rig = input.rig_file;
+    if (request.drawing)
+        if (Result<void> free = check_outputs(input.files, {&request.drawing->output, 1}); !free) return free;
     if (lit->sky.is_given)
         if (Result<void> fits = fits_one_illuminance(arguments, "a sky of the rig",
                                                      "it adds illuminance to one method: take \"sky\" out of the rig");
