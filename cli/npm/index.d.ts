@@ -129,6 +129,8 @@ export interface Picture {
   ev100: number;
   /** Of the display modes falsecolour and luminance, in lux or cd/m². */
   scale: { low: number; high: number; logarithmic: boolean } | null;
+  /** Of the display mode isolux: the lines, the lowest first, in lux or cd/m², and their colours from 0 to 255. */
+  lines: { value: number; rgb: [number, number, number] }[];
   diagnostics: Diagnostic[];
 }
 

@@ -4,7 +4,7 @@ import { commands, currentTab, files, filesOf, on, rigOf, say, selected } from '
 import { Cancelled, diagnosticsOf, reportOf, succeeded } from './engine.mjs';
 import { zipOf } from './zip.mjs';
 import { examples } from './file_list.mjs';
-import { linkOf, stateFile } from './link.mjs';
+import { greatestLink, linkOf, stateFile } from './link.mjs';
 
 const baseName = (path) => path.split('/').pop();
 const stemOf = (file) => file.path.replace(/\.[^.]*$/, '');
@@ -142,13 +142,16 @@ export function exportView() {
         return 'Saved: gonio-state.json. Open it here to go on.';
       }) }, 'Save the state'),
       el('button', { type: 'button', onclick: attempt(async () => {
-        linkBox.value = await linkOf();
+        const { link, left } = await linkOf();
+        linkBox.value = link;
         linkBox.focus();
+        const holds = left.length === 0 ? 'It holds the stage, the view and the profiles.'
+          : `It holds the stage and the view, but not ${left.join(', ')}: a link has room for ${greatestLink} characters. To hand on the profile too, save the state and send that file.`;
         try {
-          await navigator.clipboard.writeText(linkBox.value);
-          return 'The link is copied. It holds the stage and the view, and profiles where they are small.';
+          await navigator.clipboard.writeText(link);
+          return `The link is copied. ${holds}`;
         } catch {
-          return 'The link is ready to be copied.';
+          return `The link is ready to be copied. ${holds}`;
         }
       }) }, 'Make a link')),
     linkBox), rigOutcome);

@@ -2,16 +2,19 @@
 // machine on its own. What comes back is looked at as hostile.
 import { addFiles, currentTab, doc, files, filesOf, notice, rigOf, selected, setDoc, showTab } from './app.mjs';
 
-const greatestFragment = 200000; // characters
-const greatestFilesInLink = 12000; // characters, packed
+const greatestFragment = 200000; // characters that are read
+export const greatestLink = 60000; // characters that are written: browsers, mail and messengers keep such a link whole
 const greatestUnpacked = 8 * 1024 * 1024;
 
-const toBase64 = (bytes) => {
+// A character for each byte: text of profiles is packed to a fifth of it.
+function toLatin1(bytes) {
   let text = '';
   for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
-  return btoa(text);
-};
-const fromBase64 = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  return text;
+}
+const fromLatin1 = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0));
+const toBase64 = (bytes) => btoa(toLatin1(bytes));
+const fromBase64 = (text) => fromLatin1(atob(text));
 const urlSafe = (base64) => base64.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 const fromUrlSafe = (text) => fromBase64(text.replaceAll('-', '+').replaceAll('_', '/'));
 
@@ -35,32 +38,34 @@ async function unpack(bytes) {
   return new Blob(parts).text();
 }
 
-function stateOf(withFiles) {
-  const named = withFiles === 'all' ? files : withFiles === 'rig' ? files.filter((file) => file.path in filesOf(rigOf())) : [];
+function stateOf(which) {
+  const named = which === 'all' ? files : files.filter((file) => file.path in filesOf(rigOf()));
   return {
     gonio: 1, rig: doc.rig, active: doc.active, view: doc.view, tab: currentTab(), selected: selected()?.path,
-    files: named.map((file) => ({ name: file.name, path: file.path, base64: toBase64(file.bytes) })),
+    files: named.map((file) => ({ name: file.name, path: file.path, latin1: toLatin1(file.bytes) })),
   };
 }
 
 export const stateFile = () => JSON.stringify(stateOf('all'));
 
+// {link, left}: `left` are the names of profiles that it has no room for.
 export async function linkOf() {
   if (!/^(file|https?):$/.test(location.protocol)) throw new Error('a page inside a report has no link of its own: save the state instead');
-  let packed = await pack(JSON.stringify(stateOf('rig')));
-  if (packed.length > greatestFilesInLink) packed = await pack(JSON.stringify(stateOf('none')));
-  const base = location.href.split('#')[0];
-  return `${base}#s=${urlSafe(toBase64(packed))}`;
+  const link = async (state) => `${location.href.split('#')[0]}#s=${urlSafe(toBase64(await pack(JSON.stringify(state))))}`;
+  const state = stateOf('rig');
+  const whole = await link(state);
+  if (whole.length <= greatestLink) return { link: whole, left: [] };
+  return { link: await link({ ...state, files: [] }), left: state.files.map(({ name }) => name) };
 }
 
 // Applies a state; false where it is none.
 function applyState(state) {
   if (state?.gonio !== 1) return false;
   const given = (Array.isArray(state.files) ? state.files : []).slice(0, 200)
-    .filter((file) => typeof file?.name === 'string' && typeof file.base64 === 'string');
+    .filter((file) => typeof file?.name === 'string' && typeof (file.latin1 ?? file.base64) === 'string');
   const renamed = new Map();
   if (given.length) {
-    const added = addFiles(given.map((file) => ({ name: file.name, bytes: fromBase64(file.base64) })));
+    const added = addFiles(given.map((file) => ({ name: file.name, bytes: file.latin1 === undefined ? fromBase64(file.base64) : fromLatin1(file.latin1) })));
     given.forEach((file, i) => added[i] && renamed.set(file.path, added[i].path));
   }
   const rig = JSON.parse(JSON.stringify(state.rig ?? {}));

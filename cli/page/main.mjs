@@ -16,6 +16,7 @@ import { exportView } from './export_view.mjs';
 import { unitsView } from './units_view.mjs';
 import { colourView } from './colour_view.mjs';
 import { openFragment, openStateFile } from './link.mjs';
+import { missingFeature } from './engine.mjs';
 
 const tabs = [
   ['profile', 'Profile'], ['stage', 'Stage'], ['compare', 'Compare'], ['export', 'Export'], ['units', 'Units'], ['colour', 'Colour'],
@@ -161,9 +162,10 @@ function startKeys(help) {
 
 function startTheme() {
   const names = { auto: 'as the system', light: 'light', dark: 'dark' };
+  const system = matchMedia('(prefers-color-scheme: dark)');
   const apply = () => {
-    if (prefs.theme in names && prefs.theme !== 'auto') document.documentElement.dataset.theme = prefs.theme;
-    else delete document.documentElement.dataset.theme;
+    const chosen = prefs.theme in names && prefs.theme !== 'auto';
+    document.documentElement.dataset.theme = chosen ? prefs.theme : system.matches ? 'dark' : 'light';
     byId('theme').setAttribute('aria-label', `Colours of the page: ${names[prefs.theme] ?? names.auto}`);
   };
   byId('theme').addEventListener('click', () => {
@@ -171,6 +173,7 @@ function startTheme() {
     say(`Colours of the page: ${names[prefs.theme]}`);
   });
   on('prefs', (key) => key === 'theme' && apply());
+  system.addEventListener('change', apply);
   apply();
 }
 
@@ -211,7 +214,9 @@ async function start() {
     await stage.warm(examples().map(({ name, text }) => ({ name, bytes: asBytes(text) })));
     document.body.dataset.warm = performance.now().toFixed(1);
   } catch (error) {
-    fill(byId('notice'), el('p', {}, `gonio does not run in this browser: ${error.message}`));
+    const missing = missingFeature();
+    fill(byId('notice'), el('p', {}, missing ? `gonio needs ${missing}, which this browser does not have: Chromium 95, Firefox 113, Safari 16.4 or later have it.`
+      : `gonio does not run in this browser: ${error.message}`));
     byId('notice').hidden = false;
   }
 }

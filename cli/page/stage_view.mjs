@@ -167,10 +167,25 @@ export function stageView() {
     view.dispatchEvent(new CustomEvent('picture', { detail: picture }));
   }
 
+  function showLines(lines) {
+    const [per, unitName] = prefs.illuminance === 'fc' ? [lx_per_fc, 'fc'] : [1, 'lx'];
+    const values = lines.map(({ value }) => briefNumber(value / per, 3));
+    legend.setAttribute('aria-label', `Lines of equal illuminance: ${values.join(', ')} ${unitName}`);
+    fill(legend, ...lines.map(({ rgb }, i) => {
+      const mark = el('span', { class: 'legend-mark' });
+      mark.style.background = `rgb(${rgb.join(' ')})`;
+      return el('span', { class: 'legend-line' }, mark, values[i]);
+    }), el('span', {}, unitName));
+  }
+
   // The scale of a picture is in lux, with round numbers in the unit that was asked for.
-  function showLegend({ scale: given }) {
-    legend.hidden = doc.view.mode !== 'falsecolour' || !given;
-    if (legend.hidden) return;
+  function showLegend({ scale: given, lines = [] }) {
+    const isScale = doc.view.mode === 'falsecolour' && Boolean(given);
+    const isLines = doc.view.mode === 'isolux' && lines.length > 0;
+    legend.hidden = !isScale && !isLines;
+    legend.classList.toggle('lines', isLines);
+    if (isLines) showLines(lines);
+    if (!isScale) return;
     const range = prefs.illuminance === 'fc' ? { ...given, low: given.low / lx_per_fc, high: given.high / lx_per_fc, unit: 'fc' } : given;
     const ticks = legendTicks(range);
     legend.setAttribute('aria-label', `Scale from ${briefNumber(range.low)} to ${briefNumber(range.high)} ${range.unit}`);

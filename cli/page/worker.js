@@ -1,6 +1,7 @@
 // The worker: holds one instance of the module and answers one message after another. The page ends it when it takes too
 // long, so nothing here needs to be interrupted.
 let gonio;
+let module;
 let scene;
 let sceneFiles; // which files the scene was made with
 let sceneRig;
@@ -14,20 +15,30 @@ function closeScene() {
 const isFatal = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError
   || !(error instanceof Error);
 
+// The build took the WebAssembly out of the module, and the page compiled it once for all workers. Without `fetch` the module
+// does not ask for what the policy of the page forbids.
+async function open() {
+  self.fetch = undefined;
+  const { instantiate } = WebAssembly;
+  WebAssembly.instantiate = async (_, imports) => ({ module, instance: await instantiate(module, imports) });
+  gonio = await self.createGonio();
+  WebAssembly.instantiate = instantiate;
+}
+
 const tasks = {
   async start({ wasm }) {
-    // The build took the WebAssembly out of the module, and the page compiled it once for all workers. Without `fetch` the
-    // module does not ask for what the policy of the page forbids.
-    self.fetch = undefined;
-    const { instantiate } = WebAssembly;
-    WebAssembly.instantiate = async (_, imports) => ({ module: wasm, instance: await instantiate(wasm, imports) });
-    gonio = await self.createGonio();
-    WebAssembly.instantiate = instantiate;
+    module = wasm;
+    await open();
     return {};
   },
 
-  run({ words, files }) {
-    return gonio.run(words, files);
+  async run({ words, files }) {
+    const result = gonio.run(words, files);
+    if (result.diagnostics.some(({ code }) => code === 'UNS0103')) { // out of memory: what was in use then stays so
+      scene = undefined;
+      await open();
+    }
+    return result;
   },
 
   // Candela over C (rows) and gamma (columns), for the solid.

@@ -82,7 +82,7 @@ iframe { display: block; width: 100%; height: 90vh; border: 1px solid var(--line
   .scroll { overflow: visible }
   .overview tbody th, .overview .name { min-width: 14mm } .overview .counts { min-width: 14mm }
   .keywords tbody th { min-width: 17mm }
-  .beside { grid-template-columns: 1.15fr 1fr; gap: 0 5mm }
+  .beside { grid-template-columns: 1.4fr 1fr; gap: 0 5mm }
   .diagrams { grid-template-columns: repeat(3, 1fr); gap: 2mm; margin-bottom: 2mm }
   .diagram, .picture { padding: 1mm; margin: 0 0 2mm; border-radius: 0 }
   .diagrams .diagram { margin: 0 }
@@ -98,7 +98,8 @@ iframe { display: block; width: 100%; height: 90vh; border: 1px solid var(--line
 std::string page_rule(Paper paper) {
     // The wider paper is lower: its columns are as wide as those of the other.
     return paper == Paper::a4 ? "@page { size: A4 portrait; margin: 12mm }"
-                              : "@page { size: letter portrait; margin: 9mm 15mm }";
+                              : "@page { size: letter portrait; margin: 9mm 15mm }\n"
+                                "@media print { .diagrams svg { width: 92%; margin: auto } }";
 }
 
 std::string counted(std::size_t number, std::string_view what) {

@@ -82,7 +82,6 @@ export default async function createGonio() {
 
   const rigName = 'rig.json';
 
-
   // A rig and its files, for pictures one after another. What a change leaves as it was is not computed again.
   gonio.Scene = class {
     constructor(rig, files = {}) {
@@ -96,6 +95,7 @@ export default async function createGonio() {
       if (rig === this.rig && Object.keys(files).length === 0) return;
       this.rig = rig;
       this.lightWords = undefined;
+      if (Object.keys(files).length) this.preview.forget();
       putFiles(this.folder, { ...files, [rigName]: rig });
     }
 

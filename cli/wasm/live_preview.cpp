@@ -1,7 +1,9 @@
 // Pictures one after another while one moves lights and camera: what `gonio preview` makes of the same words, as
 // pixels. What a change leaves as it was is not computed again.
+#include <gonio/light/kept_profiles.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/media/dither.hpp>
+#include <gonio/plot/picture_contours.hpp>
 #include <gonio/preview/render.hpp>
 
 #include "../arguments.hpp"
@@ -44,6 +46,23 @@ std::vector<std::uint8_t> rgba_of(const Image& image, bool dithers) {
     return rgba;
 }
 
+// [{value, rgb}] of lines of equal light, the lowest first, in lux or cd/m².
+val lines_of(const ShownPicture& shown, const PreviewRequest& request) {
+    val lines = val::array();
+    if (shown.levels.empty()) return lines;
+    const std::vector<Ink> inks = contour_inks(shown.levels.size(), *request.look.palette);
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+        val line = val::object();
+        line.set("value", shown.levels[i]);
+        val rgb = val::array();
+        for (const std::uint8_t channel : {inks[i].r, inks[i].g, inks[i].b})
+            rgb.call<void>("push", static_cast<int>(channel));
+        line.set("rgb", rgb);
+        lines.call<void>("push", line);
+    }
+    return lines;
+}
+
 class LivePreview {
 public:
     // `list`: the words after `gonio preview`. `has_same_lights`: the rig and all words about lights are those of the
@@ -51,6 +70,7 @@ public:
     val render(const val& list, bool has_same_lights) {
         Words words(list);
         Arguments arguments = value_of(Arguments::parse(*find_command("preview"), words.pointers()));
+        const detail::KeepingProfiles keeping(profiles_);
         PreviewRequest request = value_of(parse_preview(arguments));
         Diagnostics diagnostics = request.diagnostics;
         // What bounces is known to be the same where these are the same objects.
@@ -86,9 +106,13 @@ public:
             scale.set("logarithmic", shown.scale->logarithmic);
             picture.set("scale", scale);
         }
+        picture.set("lines", lines_of(shown, request));
         picture.set("diagnostics", wasm::to_js(diagnostics));
         return picture;
     }
+
+    // The files are no longer what they were.
+    void forget() { profiles_.clear(); }
 
     // {illuminance_lx, luminance_nt} of a pixel of the last picture; null outside of it.
     val at(int column, int row) const {
@@ -102,6 +126,7 @@ public:
     }
 
 private:
+    detail::KeptProfiles profiles_;
     std::vector<Light> lights_;
     std::shared_ptr<const Interreflection> known_;
     Image luminance_nt_;
@@ -114,7 +139,8 @@ EMSCRIPTEN_BINDINGS(gonio_live_preview) {
     emscripten::class_<LivePreview>("LivePreview")
         .constructor<>()
         .function("render", &LivePreview::render)
-        .function("at", &LivePreview::at);
+        .function("at", &LivePreview::at)
+        .function("forget", &LivePreview::forget);
 }
 
 } // namespace gonio::cli

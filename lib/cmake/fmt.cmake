@@ -9,6 +9,11 @@ if(fmt_VERSION VERSION_GREATER_EQUAL 9 AND fmt_VERSION VERSION_LESS 10)
         target_include_directories(gonio-fmt SYSTEM INTERFACE ${gonio_fmt_includes})
     endif()
     set(gonio_fmt_source fmt_library.cpp)
+    # Neither std::locale, which brings all of its facets, nor the software of 128-bit numbers.
+    if(GONIO_WASM_SMALL)
+        target_compile_definitions(gonio-fmt INTERFACE "FMT_STATIC_THOUSANDS_SEPARATOR=','" FMT_USE_LONG_DOUBLE=0
+                                                       FMT_USE_INT128=0)
+    endif()
 else()
     target_link_libraries(gonio-fmt INTERFACE fmt::fmt-header-only)
     set(gonio_fmt_source "")

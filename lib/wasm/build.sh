@@ -3,9 +3,9 @@
 # has no WebAssembly archive, and runs the preset `wasm`. Arguments go to the configuring CMake.
 #
 #   bash lib/wasm/build.sh                        build/wasm/lib/libgonio.a
-#   bash lib/wasm/build.sh -DGONIO_WASM_SIMD=OFF  for browsers without SIMD
+#   bash lib/wasm/build.sh -DGONIO_WASM_SIMD=OFF  build/wasm-no-simd/lib/libgonio.a, for engines without SIMD
 #
-# GONIO_PUGIXML_SOURCE names a folder of pugixml.cpp that is already there. GONIO_WASM_TARGETS (gonio) is what is built.
+# GONIO_WASM_BUILD names another folder to build in. GONIO_PUGIXML_SOURCE names a folder of pugixml.cpp that is already there. GONIO_WASM_TARGETS (gonio) is what is built.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -41,6 +41,28 @@ libpng=$(source_of GONIO_LIBPNG_SOURCE libpng1.6 1 '*')
 
 # The linker's JavaScript parser is a package of Debian, which a Node from elsewhere does not find.
 if [[ -d /usr/share/nodejs/acorn ]]; then export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}; fi
-cmake --preset wasm "-DGONIO_PUGIXML_SOURCE=$pugixml" "-DGONIO_ZLIB_SOURCE=$zlib" "-DGONIO_LIBPNG_SOURCE=$libpng" "$@" > /dev/null
+folder=build/wasm
+for word in "$@"; do
+    if [[ $word == -DGONIO_WASM_SIMD=OFF ]]; then folder=build/wasm-no-simd; fi
+done
+folder=${GONIO_WASM_BUILD:-$folder}
+configure() { # FOLDER OPTIONS
+    cmake --preset wasm -B "$1" "-DGONIO_PUGIXML_SOURCE=$pugixml" "-DGONIO_ZLIB_SOURCE=$zlib" "-DGONIO_LIBPNG_SOURCE=$libpng" \
+        "${@:2}" > /dev/null
+}
 read -ra targets <<< "${GONIO_WASM_TARGETS:-gonio}"
-cmake --build --preset wasm --parallel "$(nproc)" --target "${targets[@]}"
+others=()
+for target in "${targets[@]}"; do
+    if [[ $target == gonio-core-module ]]; then # in a folder of its own, since all of it is compiled otherwise
+        configure "$folder-small" -DGONIO_WASM_SMALL=ON "$@"
+        cmake --build "$folder-small" --parallel "$(nproc)" --target gonio-core-module
+        mkdir -p "$folder"
+        cp "$folder-small/gonio-core.mjs" "$folder"
+    else
+        others+=("$target")
+    fi
+done
+if ((${#others[@]} > 0)); then
+    configure "$folder" "$@"
+    cmake --build "$folder" --parallel "$(nproc)" --target "${others[@]}"
+fi

@@ -5,7 +5,7 @@
 #   bash tests/npm/run.sh [GONIO_MJS [GONIO]]
 #
 # GONIO_MJS (build/wasm/gonio.mjs) is built by lib/wasm/build.sh if it is not there; GONIO (build/release/cli/gonio) is the
-# tool, which results are compared with.
+# tool, which results are compared with. The package runs in Node 18, the oldest, as well.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -25,5 +25,7 @@ npm install --silent --no-audit --no-fund ../gonio-*.tgz three@0.187 @babylonjs/
 cp "$root"/tests/npm/*.mjs "$root/tests/npm/types.ts" .
 stat --format 'package: %s bytes' ../gonio-*.tgz
 node package.mjs "$tool" "$root/profiles"
+npm install --silent --no-audit --no-fund --prefix "$work/old" node@18
+"$work/old/node_modules/node/bin/node" package.mjs "$tool" "$root/profiles"
 npx tsc --noEmit --strict --module nodenext --moduleResolution nodenext --target es2022 --skipLibCheck types.ts
 echo 'types: ok'

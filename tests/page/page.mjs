@@ -3,10 +3,11 @@
 //   node page.mjs BUILD_FOLDER GONIO CORPUS
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { decodePng } from '../wasm/png.mjs';
 
 const [build, tool, corpus] = process.argv.slice(2).map((path) => resolve(path));
 const need = createRequire(join(build, 'package.json'));
@@ -266,6 +267,11 @@ for (const mode of ['falsecolour', 'isolux']) {
   await tab.evaluate((value) => document.querySelector(`.panel [data-value="${value}"]`).click(), mode);
   await tab.waitForFunction(() => document.querySelector('.stage').dataset.quality === 'moving', { timeout: 60000 }).catch(() => {});
   await refined(tab);
+  if (mode === 'isolux') {
+    const [label, marks] = await tab.evaluate(() => [document.querySelector('.legend').getAttribute('aria-label'), document.querySelectorAll('.legend.lines:not([hidden]) .legend-mark').length]);
+    assert.match(label, /^Lines of equal illuminance: [\d., ]+ lx$/);
+    assert.equal(marks, label.split(',').length);
+  }
   await tab.screenshot({ path: join(build, `stage-${mode}.png`) });
 }
 await tab.evaluate(() => document.querySelector('.panel [data-value="beauty"]').click());
@@ -281,6 +287,51 @@ for (const stage of ['floor', 'wall', 'corridor', 'street', 'spheres', 'card', '
   await (await tab.$('.stage-box')).screenshot({ path: join(build, `stage-${stage}.png`) });
 }
 await quiet(tab, 'the stage');
+
+// The full picture is the tool's, pixel for pixel: of the rig that the page saves, with vectors of the same width. Rounding and
+// dithering may fall on either side.
+{
+  const { stages } = await import('../../cli/page/stages.mjs');
+  const folder = join(build, 'made/scene');
+  rmSync(folder, { recursive: true, force: true });
+  await goTo('export');
+  const zip = await tab.evaluate(async () => {
+    const make = URL.createObjectURL;
+    const { click } = HTMLAnchorElement.prototype;
+    let blob;
+    URL.createObjectURL = (given) => make.call(URL, blob = given);
+    HTMLAnchorElement.prototype.click = () => {};
+    [...document.querySelectorAll('#panel-export button')].find((button) => button.textContent === 'Save the rig').click();
+    await new Promise((done) => setTimeout(done, 300));
+    Object.assign(URL, { createObjectURL: make });
+    HTMLAnchorElement.prototype.click = click;
+    return [...new Uint8Array(await blob.arrayBuffer())];
+  });
+  writeFileSync(join(build, 'made/scene.zip'), Buffer.from(zip));
+  execFileSync('python3', ['-m', 'zipfile', '-e', join(build, 'made/scene.zip'), folder]);
+  await goTo('stage');
+  await refined(tab);
+  const { width, height, rgba } = await tab.evaluate(() => {
+    const canvas = document.querySelector('.stage-box canvas');
+    const { width, height } = canvas;
+    return { width, height, rgba: [...canvas.getContext('2d').getImageData(0, 0, width, height).data] };
+  });
+  const { position, target } = stages.room.camera;
+  execFileSync(tool, ['preview', '--rig', join(folder, 'scene.rig.json'), `--camera=${position}`, `--target=${target}`, '--view', 'Standard',
+    '--simd', nativeJson('list', 'simd', '--json').entries.some(({ name }) => name === 'sse2') ? 'sse2' : 'neon',
+    '-s', `${width}x${height}`, '-o', join(folder, 'native.png'), '-q']);
+  const native = decodePng(readFileSync(join(folder, 'native.png')));
+  assert.deepEqual([native.width, native.height, native.depth, native.color], [width, height, 8, 2]);
+  let off = 0;
+  native.pixels.forEach((value, i) => {
+    if (Math.abs(value - rgba[4 * Math.floor(i / 3) + (i % 3)]) > 2) ++off;
+  });
+  assert.ok(off <= 0.001 * native.pixels.length, `${off} of ${native.pixels.length} values of the picture are not the tool's`);
+  assert.ok(native.pixels.some((value) => value > 60), 'the stage is lit');
+  figures.pixels_off = off / native.pixels.length;
+  noteStep(`the picture of ${width} x ${height} is the tool's: ${off} of ${native.pixels.length} values differ by more than 2`);
+  await quiet(tab, 'pixels');
+}
 noteStep('stages, display modes, keys and undo work');
 
 for (const name of ['compare', 'export', 'units', 'colour']) {
@@ -353,6 +404,25 @@ await quiet(tab, 'units and colour');
   assert.equal((await listed(other))[0].name, basename(good[0]));
   await other.close();
   figures.link_characters = link.length;
+}
+
+// A profile that a link has no room for is named.
+{
+  const each = await openPage();
+  const lines = whole.toString('latin1').split(/\r?\n/);
+  const noise = Array.from({ length: 3000 }, (_, i) => `[OTHER] ${Math.sin(i * i).toString(36)}${Math.cos(i * i).toString(36)}`);
+  await drop(each, [{ name: 'large.ies', text: [lines[0], ...noise, ...lines.slice(1)].join('\r\n') }]);
+  await allRead(each, 1);
+  await goTo('export', each);
+  const [link, said] = await each.evaluate(async () => {
+    [...document.querySelectorAll('#panel-export button')].find((button) => button.textContent === 'Make a link').click();
+    await new Promise((done) => setTimeout(done, 1500));
+    return [document.querySelector('#panel-export input[readonly]').value, document.querySelector('#panel-export .outcome .ok').textContent];
+  });
+  assert.ok(link.length < 60000);
+  assert.match(said, /but not large\.ies: a link has room for 60000 characters\./);
+  await each.close();
+  await quiet(undefined, 'a large link');
 }
 await tab.close();
 
@@ -463,5 +533,17 @@ noteStep('no horizontal scrolling from 360 to 2560');
 }
 
 await browser.close();
+
+// Without SIMD the page says what it needs.
+{
+  const old = await puppeteer.launch({ executablePath: '/usr/bin/chromium', headless: true, args: ['--no-sandbox', '--js-flags=--no-enable-ssse3'] });
+  const each = await old.newPage();
+  await each.goto(page);
+  await each.waitForFunction(() => !document.getElementById('notice').hidden, { timeout: 60000 });
+  assert.equal(await each.evaluate(() => document.getElementById('notice').textContent), 'gonio needs WebAssembly with SIMD, which this browser does not have: Chromium 95, Firefox 113, Safari 16.4 or later have it.');
+  await each.screenshot({ path: join(build, 'no-simd.png') });
+  await old.close();
+  noteStep('without SIMD the page says what it needs');
+}
 writeFileSync(join(build, 'figures.json'), `${JSON.stringify(figures, null, 2)}\n`);
 console.log(JSON.stringify(figures));

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Builds the page and tests it in headless Chromium.
+# Builds the page and tests it in headless Chromium, and the main of it in headless Firefox.
 #
 #   bash tests/page/run.sh GONIO_MJS GONIO [CORPUS]
 #
 # GONIO_MJS is the module of cli/wasm, GONIO the native tool of the same source. CORPUS is a folder of profiles with good/ and
-# bad/; without one, ../shared/corpus beside the checkout is used if it is there. Chromium is installed by apt where it is
+# bad/; without one, ../shared/corpus beside the checkout is used if it is there. The browsers are installed by apt where they are
 # missing, two packages of npm into build/page. Screenshots and figures are left in build/page.
 set -euo pipefail
 
@@ -15,15 +15,16 @@ corpus=${3:-$root/../shared/corpus}
 build=$root/build/page
 mkdir -p "$build"
 
-if ! command -v chromium >/dev/null; then
+if ! command -v chromium >/dev/null || ! command -v firefox-esr >/dev/null; then
     sudo=()
     [[ $(id -u) -eq 0 ]] || sudo=(sudo)
     "${sudo[@]}" apt-get update -qq
-    "${sudo[@]}" apt-get install -y --no-install-recommends chromium fonts-dejavu-core >/dev/null
+    "${sudo[@]}" apt-get install -y --no-install-recommends chromium firefox-esr fonts-dejavu-core >/dev/null
 fi
 if [[ ! -d $build/node_modules/puppeteer-core || ! -d $build/node_modules/axe-core ]]; then
     npm install --prefix "$build" --no-save --no-audit --no-fund puppeteer-core@24 axe-core@4
 fi
 
 node "$root/cli/page/build.mjs" "$module" "$build/gonio.html"
+node "$root/tests/page/firefox.mjs" "$build" "$tool"
 exec node "$root/tests/page/page.mjs" "$build" "$tool" "$corpus"

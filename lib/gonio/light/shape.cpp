@@ -1,4 +1,5 @@
 #include <gonio/base/named.hpp>
+#include <gonio/light/kept_profiles.hpp>
 #include <gonio/light/light_image.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/light/shape.hpp>
@@ -133,23 +134,29 @@ Result<Shape> parse_profile_shape(std::string_view text) {
     return Shape(std::move(shape));
 }
 
-struct WebAndOpening {
-    std::shared_ptr<const Web> web;
-    std::shared_ptr<const Opening> opening;
-};
-
-Result<WebAndOpening> read_web(const std::string& file, Diagnostics& diagnostics) {
+Result<detail::LoadedWeb> read_web(const std::string& file) {
     Result<Profile> profile = read_profile_file(file);
     if (!profile) return pass_on(profile);
     Result<void> photometric = require_candela(
         *profile, "if its numbers are meant as candela, make a profile of that: gonio edit FILE --as-candela -o NEW");
     if (!photometric) return pass_on(photometric);
-    std::move(profile->diagnostics.begin(), profile->diagnostics.end(), std::back_inserter(diagnostics));
+    Diagnostics diagnostics = std::move(profile->diagnostics);
     auto opening = std::make_shared<const Opening>(opening_of(*profile));
     Result<ResolvedWeb> resolved = resolve_web(std::move(*profile));
     if (!resolved) return pass_on(resolved);
     std::move(resolved->diagnostics.begin(), resolved->diagnostics.end(), std::back_inserter(diagnostics));
-    return WebAndOpening{std::make_shared<const Web>(std::move(resolved->web)), std::move(opening)};
+    return detail::LoadedWeb{std::make_shared<const Web>(std::move(resolved->web)), std::move(opening),
+                             std::move(diagnostics)};
+}
+
+thread_local detail::KeptProfiles* kept_profiles = nullptr;
+
+Result<detail::LoadedWeb> kept_or_read(const std::string& file) {
+    if (kept_profiles == nullptr) return read_web(file);
+    if (const auto known = kept_profiles->find(file); known != kept_profiles->end()) return known->second;
+    Result<detail::LoadedWeb> read = read_web(file);
+    if (read) kept_profiles->emplace(file, *read);
+    return read;
 }
 
 // The file of a shape and where its web is stored; empty for shapes that read no file.
@@ -262,11 +269,18 @@ Result<void> load_profile(Shape& shape, Diagnostics& diagnostics) {
     const WebSlot slot = web_slot(shape);
     if (slot.web == nullptr || slot.file->empty() || *slot.web) return {};
     if (!std::holds_alternative<ProfileShape>(shape) && names_image(*slot.file)) return load_image(shape, diagnostics);
-    Result<WebAndOpening> read = read_web(*slot.file, diagnostics);
+    Result<detail::LoadedWeb> read = kept_or_read(*slot.file);
     if (!read) return pass_on(read);
+    std::move(read->diagnostics.begin(), read->diagnostics.end(), std::back_inserter(diagnostics));
     *slot.web = std::move(read->web);
     if (auto* const profile = std::get_if<ProfileShape>(&shape)) profile->declared = std::move(read->opening);
     return {};
+}
+
+detail::KeepingProfiles::KeepingProfiles(KeptProfiles& kept) : before_(std::exchange(kept_profiles, &kept)) {}
+
+detail::KeepingProfiles::~KeepingProfiles() {
+    kept_profiles = before_;
 }
 
 Mask mask_of(const Shape& shape) {

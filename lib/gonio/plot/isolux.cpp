@@ -4,13 +4,17 @@
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/diagram_page.hpp>
+#include <gonio/plot/stroke_font.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace gonio {
 
@@ -37,21 +41,55 @@ Field field_of(const Web& web, double height_m, double extent_m) {
     return field;
 }
 
-// The lux of a line is written where the line is farthest along +X, so that the numbers of nested lines form a row.
-void label_line(Drawing& page, const Chart& chart, const ContourLine& line, double level) {
+constexpr double number_px = 11.0;
+
+// Numbers that were written, which no other covers.
+class WrittenNumbers {
+public:
+    bool has_room(PagePoint at, double half_width) const {
+        return std::none_of(written_.begin(), written_.end(), [&](const Number& other) {
+            return std::fabs(at.x - other.at.x) < half_width + other.half_width + 2.0 &&
+                   std::fabs(at.y - other.at.y) < number_px;
+        });
+    }
+    void add(PagePoint at, double half_width) { written_.push_back({at, half_width}); }
+
+private:
+    struct Number {
+        PagePoint at;
+        double half_width;
+    };
+    std::vector<Number> written_;
+};
+
+// The lux of a line is written where the line is farthest along +X, so that the numbers of nested lines form a row;
+// where the lines are too close for that, on another side, or not at all: colours say it as well.
+void label_line(Drawing& page, const Chart& chart, const ContourLine& line, double level, WrittenNumbers& written) {
     double length = 0.0;
-    const FieldPoint* rightmost = line.points.data();
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        if (line.points[i].x > rightmost->x) rightmost = &line.points[i];
-        if (i == 0) continue;
-        const PagePoint from = chart.at(line.points[i - 1].x, line.points[i - 1].y);
-        const PagePoint to = chart.at(line.points[i].x, line.points[i].y);
-        length += std::hypot(to.x - from.x, to.y - from.y);
+    std::array<PagePoint, 4> ends; // right, left, top, bottom of the page
+    ends.fill(chart.at(line.points.front().x, line.points.front().y));
+    PagePoint before = ends[0];
+    for (const FieldPoint& point : line.points) {
+        const PagePoint at = chart.at(point.x, point.y);
+        length += std::hypot(at.x - before.x, at.y - before.y);
+        before = at;
+        if (at.x > ends[0].x) ends[0] = at;
+        if (at.x < ends[1].x) ends[1] = at;
+        if (at.y < ends[2].y) ends[2] = at;
+        if (at.y > ends[3].y) ends[3] = at;
     }
     if (length < 60.0) return; // the number would hide the line
-    PagePoint at = chart.at(rightmost->x, rightmost->y);
-    at.x = std::min(at.x, chart.inner().right - 14.0);
-    page.text({at.x, at.y + 4.0}, rounded(level), {TextAnchor::middle, 11.0, ink(0x333333), false, 1.5});
+    const std::string text = rounded(level);
+    const double half_width = 0.5 * text_width_px(text, number_px);
+    const Area& inner = chart.inner();
+    for (PagePoint at : ends) {
+        at.x = std::clamp(at.x, inner.left + 14.0, inner.right - 14.0);
+        at.y = std::clamp(at.y, inner.top + 8.0, inner.bottom - 8.0);
+        if (!written.has_room(at, half_width)) continue;
+        written.add(at, half_width);
+        page.text({at.x, at.y + 4.0}, text, {TextAnchor::middle, number_px, ink(0x333333), false, 1.5});
+        return;
+    }
 }
 
 } // namespace
@@ -112,9 +150,10 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
             if (line.closed) path.close();
             page.stroke(std::move(path), {ink(0x333333), 0.8});
         }
+    WrittenNumbers written;
     for (const auto& [level, contours] : lines) // above all lines
         for (const ContourLine& line : contours)
-            label_line(page, chart, line, level);
+            label_line(page, chart, line, level, written);
     chart.draw_numbers(page);
     draw_color_scale(page, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
                      options.per_klm ? "lx/klm" : "lx");
