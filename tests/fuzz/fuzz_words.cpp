@@ -305,6 +305,7 @@ void arguments(std::string_view text) {
                    return a.has(option) == b.has(option) && a.values(option) == b.values(option);
                });
     };
+    // Nothing more is compared: CLI11 may split a cluster of short options ("-q1v" is "-q" and "-1v") in any way.
     (void)read_twice([&] { return parse(words); }, same);
 }
 

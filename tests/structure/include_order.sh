@@ -61,6 +61,7 @@ awk -v public_headers="$public_headers" -v order='base simd profile web color sh
         if (!in_lib && target ~ /^gonio\/[a-z]+\/detail\//) complain("includes " target ": it belongs to its room alone")
         if (!in_lib) next
         if (target ~ /^(gonio\/)?cli\//) complain("includes " target ": the library knows nothing of the tool")
+        if (target ~ /^CLI\//) complain("includes " target ": CLI11 belongs to the tool")
         if (public && target ~ /^(fmt|nlohmann|fast_float|pugixml)[.\/]|^pugixml|^(gtest|gmock|benchmark)\//)
             complain("includes " target ": a public header names std, GLM and tl::expected only")
         if (target ~ /^gonio\//) {

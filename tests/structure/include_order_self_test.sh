@@ -13,7 +13,7 @@ start() {
     printf '#include <gonio/base/image.hpp>\n// #include <gonio/media/module.hpp>\n' > "$tree/lib/gonio/web/web.cpp"
     printf '#include <fmt/format.h>\n' > "$tree/lib/gonio/web/detail/text.hpp"
     printf '#include <dlfcn.h>\n' > "$tree/lib/gonio/media/module.cpp"
-    printf '#include <gonio/media/module.hpp>\n' > "$tree/cli/main.cpp"
+    printf '#include <gonio/media/module.hpp>\n#include <CLI/CLI.hpp>\n' > "$tree/cli/main.cpp"
 }
 
 # fault FILE INCLUDE EXPECTED: one added include must be reported, at its line, with these words.
@@ -44,6 +44,7 @@ fault lib/gonio/web/a.cpp '#include <gonio/cellar/x.hpp>' 'includes gonio/cellar
 fault lib/gonio/web/a.cpp '#include <cli/options.hpp>' 'includes cli/options.hpp: the library knows'
 fault lib/gonio/web/a.cpp '#include "../../../cli/options.hpp"' 'includes ../../../cli/options.hpp: no path'
 fault cli/commands/a.cpp '#include "../../lib/gonio/web/web.hpp"' 'includes ../../lib/gonio/web/web.hpp: the include root'
+fault lib/gonio/web/a.cpp '#include <CLI/CLI.hpp>' 'includes CLI/CLI.hpp: CLI11'
 fault lib/gonio/web/a.hpp '#include <fmt/format.h>' 'includes fmt/format.h: a public header'
 fault lib/gonio/web/a.hpp '#include <nlohmann/json.hpp>' 'includes nlohmann/json.hpp: a public header'
 fault lib/gonio/web/a.hpp '#include <pugixml.hpp>' 'includes pugixml.hpp: a public header'
