@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { Worker } from 'node:worker_threads';
 import { GonioError, createGonio, wordsOf } from 'gonio';
-import { withoutFigures } from '../wasm/facts.mjs';
+import { withoutFigures } from './facts.mjs';
 
 const [toolPath, folder] = process.argv.slice(2);
 const started = performance.now();

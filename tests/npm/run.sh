@@ -22,7 +22,7 @@ cd "$work/user"
 npm init --yes > /dev/null
 npm pkg set type=module
 npm install --silent --no-audit --no-fund ../gonio-*.tgz three@0.187 @babylonjs/core@9 typescript@5 @types/node@18
-cp "$root"/tests/npm/*.mjs "$root/tests/npm/types.ts" .
+cp "$root"/tests/npm/*.mjs "$root/tests/wasm/facts.mjs" "$root/tests/npm/types.ts" .
 stat --format 'package: %s bytes' ../gonio-*.tgz
 node package.mjs "$tool" "$root/profiles"
 npm install --silent --no-audit --no-fund --prefix "$work/old" node@18
