@@ -10,6 +10,7 @@
 #include <gonio/color/named_methods.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
+#include <gonio/figures/tasks.hpp>
 #include <gonio/ibl/prefilter_variant.hpp>
 #include <gonio/light/efficacy.hpp>
 #include <gonio/light/policy.hpp>
@@ -161,6 +162,18 @@ Entries quantities() {
     Entries entries;
     for (const IlluminanceKindName& kind : illuminance_kinds())
         entries.push_back({std::string(kind.name), std::string(kind.summary)});
+    return entries;
+}
+
+Entries tasks() {
+    Entries entries;
+    for (const Task& task : known_tasks()) {
+        std::string requirements;
+        for (const Verdict& verdict : verdicts(task, {}))
+            requirements +=
+                fmt::format(", {} {}{}", verdict.what, rounded(verdict.required), verdict.unit.empty() ? "" : " lx");
+        entries.push_back({task.name, fmt::format("{} ({}){}", task.title, task.rule, requirements)});
+    }
     return entries;
 }
 
@@ -383,6 +396,7 @@ constexpr std::array lists{
 #endif
     NamedList{"sweeps", "parameters that preview --sweep changes", sweeps},
     NamedList{"targets", "programs that import writes for", targets},
+    NamedList{"tasks", "what standards require of light", tasks},
     NamedList{"tints", "tint conventions of other programs", tints},
     NamedList{"tone-maps", "curves that replace the view of a display", tone_maps},
     NamedList{"units", "units of values", units},

@@ -30,6 +30,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             points_group,
                             OptionGroup{"evaluation", probe_options},
                             OptionGroup{"surroundings", probe_stage_options},
+                            task_group,
                             OptionGroup{"report", probe_report_options},
                             light_common_group};
 constexpr std::array examples{
@@ -42,6 +43,8 @@ constexpr std::array examples{
             "min, mean, max and uniformity on a floor"},
     Example{"gonio probe --rig room.json --workplane 75cm --indirect -o plan.svg",
             "the working plane of the rig's room, with a number in each cell of its plan"},
+    Example{"gonio probe --rig room.json --workplane 75cm --indirect --task office.writing",
+            "whether it is bright and uniform enough for a task"},
     Example{"gonio probe --rig room.json --workplane 1.2m --quantity cylindrical --indirect",
             "how well faces are lit there"},
     Example{"gonio probe --rig room.json --indirect --at 0,-2,1.2 --normal 0,1,0 --glare",
@@ -209,7 +212,7 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
     console.remark(fmt::format("{} points under {} lights in {:.1f} ms", receivers.size(), request->lights.size(),
                                evaluation.milliseconds()));
     console.say(request->diagnostics);
-    return 0;
+    return report.has_failed() ? 1 : 0;
 }
 
 int run(const Arguments& arguments, Console& console) {

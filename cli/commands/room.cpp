@@ -29,10 +29,16 @@ constexpr std::array output_options{
     Option{"--to", "FORMAT", "of the plan: svg or an 8-bit picture format, if the file name does not show it",
            "images"},
 };
-constexpr std::array groups{OptionGroup{"room", room_options}, OptionGroup{"output", output_options}, json_group,
-                            threads_group, common_group};
+constexpr std::array groups{OptionGroup{"room", room_options},
+                            task_group,
+                            OptionGroup{"output", output_options},
+                            json_group,
+                            threads_group,
+                            common_group};
 constexpr std::array examples{
     Example{"gonio room 6x4x2.8 --luminaire office.ldt --for 500lx", "how many luminaires an office needs"},
+    Example{"gonio room 6x4x2.8 --luminaire office.ldt --task office.writing",
+            "the same for a task, with a verdict for each requirement of the standard"},
     Example{"gonio room 6x4x2.8 --luminaire office.ldt --count 3x2 --reflectances 80/50/30 -o plan.svg",
             "the lux of a layout, drawn"},
     Example{"gonio room 12x8x3 --luminaire office.ldt --for 300lx -o room.json && gonio preview --rig room.json -o "
@@ -79,6 +85,7 @@ Result<int> run_room(const Arguments& arguments, Console& console) {
     Result<RoomPlan> plan = plan_room(request->luminaire, request->plan, again);
     if (!plan) return pass_on(plan);
     console.remark(fmt::format("planned in {:.1f} ms", watch.milliseconds()));
+    judge(*request, *plan);
     add_remarks(*plan, diagnostics);
     if (arguments.has("--output"))
         if (Result<void> written = write(arguments, *request, *plan, diagnostics); !written) return pass_on(written);
@@ -88,7 +95,7 @@ Result<int> run_room(const Arguments& arguments, Console& console) {
     else
         console.print(dump(room_json(*request, *plan, diagnostics), kind == ReportKind::json ? 2 : -1));
     console.say(diagnostics);
-    return 0;
+    return request->task && request->task->has_failed() ? 1 : 0;
 }
 
 int run(const Arguments& arguments, Console& console) {

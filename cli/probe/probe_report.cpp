@@ -244,16 +244,34 @@ void ProbeReport::add(const ProbeStretch& stretch) {
 void ProbeReport::end(Diagnostics& diagnostics) {
     const Diagnostics said = to_diagnostics(remarks_, request_.lights);
     diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+    judge();
     add_glare_remarks(lacks_rating_, has_too_large_, diagnostics);
     if (json_) {
         json_->end_array();
         if (request_.methods.front() == IrradianceMethod::reference) json_->member("error_estimate", largest_error_);
         if (request_.points.grid) json_->member("grid", grid_json());
+        if (verdict_) json_->member("verdict", verdicts_json(*verdict_));
         json_->member("diagnostics", diagnostics_json(diagnostics));
         json_->end();
     } else if (request_.form == ProbeForm::text && !listed()) {
         summary_text();
+        if (verdict_) console_.print(verdicts_text(*verdict_));
     }
+}
+
+void ProbeReport::judge() {
+    if (!request_.task) return;
+    verdict_ = request_.task;
+    const Spread all = spread(values_.front());
+    ReachedLight reached;
+    if (request_.kind == IlluminanceKind::cylindrical) {
+        reached.cylindrical_lx = all.mean;
+    } else {
+        reached.mean_lx = all.mean;
+        reached.least_lx = all.least;
+        reached.uniformity = all.uniformity();
+    }
+    verdict_->verdicts = verdicts(verdict_->task, reached, verdict_->raised);
 }
 
 bool ProbeReport::listed() const {

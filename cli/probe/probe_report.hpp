@@ -42,6 +42,9 @@ public:
     void add(const ProbeStretch& stretch);
     void end(Diagnostics& diagnostics);
 
+    // Whether the grid misses a requirement of the task; call after end().
+    bool has_failed() const { return verdict_ && verdict_->has_failed(); }
+
     // Writes the drawing of the grid; call after end().
     Result<void> draw(Diagnostics& diagnostics) const;
 
@@ -63,6 +66,8 @@ private:
     Json spread_json(const Spread& s) const;
     Json grid_json() const;
 
+    void judge();
+
     struct Worst {
         double error = 0.0; // the largest absolute error, with its sign
         std::size_t point = 0;
@@ -75,6 +80,7 @@ private:
     const ProbeRequest& request_;
     Console& console_;
     std::optional<JsonWriter> json_;
+    std::optional<TaskInput> verdict_;
     bool lacks_rating_ = false;
     bool has_too_large_ = false;
     std::vector<std::vector<double>> values_; // of each method, for the summary

@@ -233,6 +233,19 @@ Result<void> read_glare(const Arguments& arguments, ProbeRequest& request) {
     return {};
 }
 
+Result<void> read_task(const Arguments& arguments, ProbeRequest& request) {
+    Result<std::optional<TaskInput>> task = task_input(arguments);
+    if (!task) return pass_on(task);
+    request.task = std::move(*task);
+    if (!request.task) return {};
+    if (!request.points.grid && !request.points.workplane)
+        return fail("USE0107", "--task is for a grid, but single points are given",
+                    "use --workplane 75cm, --grid or --polygon");
+    if (request.compare || request.kind == IlluminanceKind::modelling)
+        return fail("USE0107", "--task judges one illuminance", "leave --compare and --quantity modelling out");
+    return {};
+}
+
 Result<void> read_form(const Arguments& arguments, ProbeRequest& request) {
     const std::array given{arguments.has("--json"), arguments.has("--jsonl"), arguments.has("--csv")};
     if (std::count(given.begin(), given.end(), true) > 1)
@@ -263,6 +276,7 @@ Result<ProbeRequest> parse_probe(const Arguments& arguments) {
     request.points = std::move(*points);
     read = read_quantity(arguments, request);
     if (read) read = read_glare(arguments, request);
+    if (read) read = read_task(arguments, request);
     if (read) read = read_drawing(arguments, request);
     if (!read) return pass_on(read);
     if (Result<void> lights = read_lights(arguments, request); !lights) return pass_on(lights);

@@ -14,6 +14,7 @@
 #include "../options/points_input.hpp"
 #include "../options/profile_size.hpp"
 #include "../options/sky_input.hpp"
+#include "../options/task_input.hpp"
 
 #include <array>
 #include <optional>
@@ -72,6 +73,7 @@ struct ProbeRequest {
     std::optional<Stage> stage; // of --indirect or --sky, whose stage may have no surfaces
     bool indirect = false;
     bool glare = false;
+    std::optional<TaskInput> task;
     Sky sky;
     ProbeForm form = ProbeForm::text;
     IlluminanceKind kind = IlluminanceKind::planar;

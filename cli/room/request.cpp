@@ -1,5 +1,6 @@
 #include "request.hpp"
 
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/profile_header.hpp>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace gonio::cli {
@@ -105,13 +107,17 @@ Result<void> read_lengths(const Arguments& arguments, RoomPlanRequest& plan) {
     return {};
 }
 
-// What the room is planned for: --for or --count.
-Result<void> read_aim(const Arguments& arguments, RoomPlanRequest& plan) {
+// What the room is planned for: --for, --count, or what the task asks for.
+Result<void> read_aim(const Arguments& arguments, const std::optional<TaskInput>& task, RoomPlanRequest& plan) {
     const auto lux = arguments.value("--for");
     const auto count = arguments.value("--count");
+    if (!lux && !count && task && task->mean_lx()) {
+        plan.mean = Lux(*task->mean_lx());
+        return {};
+    }
     if (!lux && !count)
-        return fail("USE0104", "neither --for nor --count is given",
-                    "say what to plan for: --for 500lx, or --count 4x3");
+        return fail("USE0104", "neither --for, --count nor --task is given",
+                    "say what to plan for: --for 500lx, --task office.writing, or --count 4x3");
     if (lux && count)
         return fail("USE0107", "--for and --count are both given", "a layout gives the light that it gives");
     if (lux) {
@@ -124,6 +130,27 @@ Result<void> read_aim(const Arguments& arguments, RoomPlanRequest& plan) {
     if (!layout) return pass_on(layout);
     plan.layout = *layout;
     return {};
+}
+
+// Of the first lamps: a number, or a group of EULUMDAT, which stands for its lowest.
+std::optional<double> declared_ra(const Profile& profile) {
+    std::string text;
+    if (const auto* ldt = std::get_if<LdtFile>(&profile.file)) {
+        if (!ldt->lamp_sets.empty()) text = ldt->lamp_sets.front().color_rendering;
+    } else if (const auto* tm33 = std::get_if<Tm33File>(&profile.file)) {
+        if (!tm33->emitters.empty()) return tm33->emitters.front().cri_ra;
+    }
+    constexpr std::array groups{Named{"1A", 90.0}, Named{"1B", 80.0}, Named{"2A", 70.0},
+                                Named{"2B", 60.0}, Named{"3", 40.0},  Named{"4", 20.0}};
+    std::string_view trimmed = text;
+    while (!trimmed.empty() && (trimmed.front() == ' ' || trimmed.front() == '>' || trimmed.front() == '='))
+        trimmed.remove_prefix(1);
+    while (!trimmed.empty() && trimmed.back() == ' ')
+        trimmed.remove_suffix(1);
+    for (const auto& group : groups)
+        if (trimmed == group.name) return group.value;
+    const std::optional<double> number = parse_number(trimmed);
+    return number && *number >= 20.0 && *number <= 100.0 ? number : std::nullopt;
 }
 
 Result<void> read_luminaire(const Arguments& arguments, RoomRequest& request, Diagnostics& diagnostics) {
@@ -150,6 +177,7 @@ Result<void> read_luminaire(const Arguments& arguments, RoomRequest& request, Di
     Result<LoadedProfile> loaded = load(request.file, options);
     if (!loaded) return pass_on(loaded);
     diagnostics = loaded->diagnostics;
+    request.ra = declared_ra(loaded->profile);
     if (const double watts = header_of(loaded->profile).input_watts; watts > 0.0) request.input_w = watts;
     return {};
 }
@@ -176,7 +204,11 @@ Result<RoomRequest> parse_room(const Arguments& arguments, Diagnostics& diagnost
         request.plan.maintenance_factor = *factor;
     }
     Result<void> read = read_lengths(arguments, request.plan);
-    if (read) read = read_aim(arguments, request.plan);
+    Result<std::optional<TaskInput>> task = task_input(arguments);
+    if (!task) return pass_on(task);
+    request.task = std::move(*task);
+    request.plan.surfaces = request.task.has_value();
+    if (read) read = read_aim(arguments, request.task, request.plan);
     if (!read) return pass_on(read);
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);

@@ -7,6 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "../options/task_input.hpp"
 
 #include <array>
 #include <optional>
@@ -16,7 +17,7 @@ namespace gonio::cli {
 
 inline constexpr std::array room_options{
     Option{"--luminaire", "FILE", "the luminaire: an IES, EULUMDAT or TM-33 profile"},
-    Option{"--for", "LUX", "mean illuminance to reach on the working plane, maintained: 500lx"},
+    Option{"--for", "LUX", "mean illuminance to reach on the working plane, maintained: 500lx (that of --task)"},
     Option{"--count", "NxM", "instead of --for: luminaires along the length and along the width, 4x3"},
     Option{"--reflectances", "C/W/F", "of ceiling, walls and floor in per cent (70/50/20)"},
     Option{"--maintenance", "FACTOR", "maintenance factor of all illuminances, 0.8 or 80% (0.8)"},
@@ -35,6 +36,8 @@ struct RoomRequest {
     RoomPlanRequest plan;
     std::string flux;              // as given; empty: as measured
     std::optional<double> input_w; // of each luminaire
+    std::optional<double> ra;      // colour rendering, as the profile states it
+    std::optional<TaskInput> task;
 };
 
 // Reads the luminaire. Fails as load_profile() does, and (usage) on values of a wrong form.

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -69,7 +71,30 @@ std::string room_text(const RoomRequest& request, const RoomPlan& plan) {
         text += line("power", fmt::format("{} W, {} W/m², {} W/m² per 100 lx",
                                           rounded(*request.input_w * static_cast<double>(plan.layout.count()), 4),
                                           rounded(*density, 3), rounded(100.0 * *density / lux.mean, 3)));
+    if (request.task) text += verdicts_text(*request.task);
     return text;
+}
+
+void judge(RoomRequest& request, const RoomPlan& plan) {
+    if (!request.task) return;
+    ReachedLight reached;
+    reached.mean_lx = plan.spread.mean;
+    reached.least_lx = plan.spread.least;
+    reached.uniformity = plan.spread.uniformity();
+    reached.ra = request.ra;
+    if (plan.surfaces) {
+        reached.cylindrical_lx = plan.surfaces->cylindrical_lx;
+        reached.wall_lx = plan.surfaces->walls_lx;
+        reached.ceiling_lx = plan.surfaces->ceiling_lx;
+    }
+    double worst = -std::numeric_limits<double>::infinity();
+    bool is_rated = true;
+    for (const RoomObserver& seen : plan.observers) {
+        is_rated = is_rated && seen.ugr;
+        worst = std::max(worst, seen.ugr.value_or(worst));
+    }
+    if (is_rated) reached.ugr = worst;
+    request.task->verdicts = verdicts(request.task->task, reached, request.task->raised);
 }
 
 void add_remarks(const RoomPlan& plan, Diagnostics& diagnostics) {
@@ -124,6 +149,11 @@ Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnosti
              request.input_w ? Json(*request.input_w * static_cast<double>(plan.layout.count())) : Json(nullptr)},
             {"W_per_m2", number_or_null(density)},
             {"W_per_m2_100lx", density ? Json(100.0 * *density / lux.mean) : Json(nullptr)},
+            {"surfaces", plan.surfaces ? Json{{"walls_lx", plan.surfaces->walls_lx},
+                                              {"ceiling_lx", plan.surfaces->ceiling_lx},
+                                              {"cylindrical_lx", plan.surfaces->cylindrical_lx}}
+                                       : Json(nullptr)},
+            {"verdict", request.task ? verdicts_json(*request.task) : Json(nullptr)},
             {"points", std::move(points)},
             {"diagnostics", diagnostics_json(diagnostics)}};
 }
@@ -155,7 +185,8 @@ std::string room_rig(const RoomRequest& request, const RoomPlan& plan, const std
     surfaces.push_back(panel("wall", {half.x, 0, half.z}, {-1, 0, 0}, up, size.y, size.z, walls));
     surfaces.push_back(panel("wall", {0, half.y, half.z}, {0, -1, 0}, up, size.x, size.z, walls));
     surfaces.push_back(panel("wall", {0, -half.y, half.z}, {0, 1, 0}, up, size.x, size.z, walls));
-    Json light{{"name", "luminaire"}, {"shape", "ies:" + file}};
+    const bool has_opening = plan.lights.front().body != nullptr;
+    Json light{{"name", "luminaire"}, {"shape", "ies:" + file + (has_opening ? ",opening" : "")}};
     if (!request.flux.empty()) light["intensity"] = request.flux;
     light["position"] = Json::array({0.0, 0.0, plan.lights.front().frame.origin.z});
     if (request.luminaire.rotation.value != 0.0)

@@ -12,6 +12,9 @@
 
 namespace gonio::cli {
 
+// Compares the plan with what the task requires, if there is one.
+void judge(RoomRequest& request, const RoomPlan& plan);
+
 std::string room_text(const RoomRequest& request, const RoomPlan& plan);
 
 // What is unusual about the ratings of glare.

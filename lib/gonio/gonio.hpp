@@ -34,6 +34,7 @@
 #include <gonio/figures/outdoor_classes.hpp>
 #include <gonio/figures/position_index.hpp>
 #include <gonio/figures/room_plan.hpp>
+#include <gonio/figures/tasks.hpp>
 #include <gonio/figures/ugr_table.hpp>
 #include <gonio/figures/utilisation.hpp>
 #include <gonio/ibl/environment_tree.hpp>

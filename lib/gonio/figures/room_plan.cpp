@@ -1,6 +1,7 @@
 #include <gonio/figures/room_plan.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/scene/primitives.hpp>
+#include <gonio/scene/spatial_illuminance.hpp>
 #include <gonio/transport/receiver_light.hpp>
 
 #include <fmt/format.h>
@@ -186,7 +187,72 @@ private:
             plan.illuminance_lx.push_back(plan.direct_lx.back() + request_.maintenance_factor * shares.indirect_lx[i]);
         }
         plan.spread = spread(plan.illuminance_lx);
+        if (request_.surfaces)
+            if (Result<void> added = add_surfaces(plan, *on_stage); !added) return added;
         return add_observers(plan, *on_stage);
+    }
+
+    // The mean of what reaches flat receivers, as new.
+    Result<double> mean_lx(const RoomPlan& plan, const ReceiverLight& on_stage,
+                           std::span<const Receiver> receivers) const {
+        ProbeOptions options;
+        options.threads = request_.threads;
+        Result<ProbeResult> direct = probe(plan.lights, receivers, options);
+        if (!direct) return pass_on(direct);
+        return spread(direct->illuminance_lx).mean + spread(on_stage.at(receivers).indirect_lx).mean;
+    }
+
+    // Walls count by their areas: the cells of all have nearly the same size.
+    Result<void> add_surfaces(RoomPlan& plan, const ReceiverLight& on_stage) const {
+        const glm::dvec3& size = request_.size_m;
+        const glm::dvec3 half = 0.5 * size;
+        std::vector<Receiver> walls;
+        std::vector<Receiver> ceiling;
+        const auto add = [](const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
+                            const glm::dvec3& normal, std::vector<Receiver>& to) -> Result<void> {
+            Result<ReceiverGrid> made = parallelogram_grid(corner, u, v, std::nullopt, normal, 1U << 16U);
+            if (!made) return pass_on(made);
+            to.insert(to.end(), made->receivers.begin(), made->receivers.end());
+            return {};
+        };
+        const glm::dvec3 along_x(size.x, 0.0, 0.0);
+        const glm::dvec3 along_y(0.0, size.y, 0.0);
+        const glm::dvec3 along_z(0.0, 0.0, size.z);
+        for (const double side : {-1.0, 1.0}) {
+            Result<void> added = add({side * half.x, -half.y, 0.0}, along_y, along_z, {-side, 0.0, 0.0}, walls);
+            if (added) added = add({-half.x, side * half.y, 0.0}, along_x, along_z, {0.0, -side, 0.0}, walls);
+            if (!added) return added;
+        }
+        if (Result<void> added = add({-half.x, -half.y, size.z}, along_x, along_y, -up, ceiling); !added) return added;
+        Result<double> walls_lx = mean_lx(plan, on_stage, walls);
+        if (!walls_lx) return pass_on(walls_lx);
+        Result<double> ceiling_lx = mean_lx(plan, on_stage, ceiling);
+        if (!ceiling_lx) return pass_on(ceiling_lx);
+        const double maintained = request_.maintenance_factor;
+        plan.surfaces = RoomSurfaces{maintained * *walls_lx, maintained * *ceiling_lx,
+                                     maintained * cylindrical_mean_lx(plan, on_stage)};
+        return {};
+    }
+
+    // At the height of the eyes, as new. What is reflected comes from the surfaces that stand for a cylinder.
+    double cylindrical_mean_lx(const RoomPlan& plan, const ReceiverLight& on_stage) const {
+        std::vector<Receiver> heads = plan.grid.receivers;
+        std::vector<Receiver> around;
+        std::vector<double> weights;
+        for (Receiver& head : heads) {
+            head.position.z = request_.eye_height_m;
+            for (const WeightedNormal& surface : surfaces_of(IlluminanceKind::cylindrical, up)) {
+                around.push_back({head.position, surface.normal});
+                weights.push_back(surface.weight);
+            }
+        }
+        double sum = 0.0;
+        for (const double lx : illuminance_parts(IlluminanceKind::cylindrical, plan.lights, heads, request_.threads))
+            sum += lx;
+        const std::vector<double> indirect = on_stage.at(around).indirect_lx;
+        for (std::size_t i = 0; i < indirect.size(); ++i)
+            sum += weights[i] * indirect[i];
+        return sum / static_cast<double>(heads.size());
     }
 
     Result<void> add_observers(RoomPlan& plan, const ReceiverLight& on_stage) const {
@@ -250,8 +316,11 @@ Result<RoomPlan> plan_room(LightDescription luminaire, const RoomPlanRequest& re
     // Once, for what there is to say about it; its profile stays loaded in the shape.
     if (Result<void> loaded = load_profile(luminaire.shape, diagnostics); !loaded) return pass_on(loaded);
     luminaire.direction = {0.0, 0.0, -1.0};
-    const Planner planner(std::move(luminaire), request);
-    if (request.layout) return planner.plan(*request.layout);
+    if (request.layout) return Planner(std::move(luminaire), request).plan(*request.layout);
+    // What is not searched for is added to what is found.
+    RoomPlanRequest searched = request;
+    searched.surfaces = false;
+    const Planner planner(luminaire, searched);
 
     const std::vector<RoomLayout> layouts = regular_layouts(request.size_m.x, request.size_m.y);
     const double needed_lx = request.mean->value;
@@ -302,6 +371,7 @@ Result<RoomPlan> plan_room(LightDescription luminaire, const RoomPlanRequest& re
         }
     }
     if (!found) return too_many();
+    if (request.surfaces) return Planner(std::move(luminaire), request).plan(found->layout);
     return std::move(*found);
 }
 

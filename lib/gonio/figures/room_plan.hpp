@@ -44,7 +44,15 @@ struct RoomPlanRequest {
     double maintenance_factor = 0.8;
     std::optional<Lux> mean{};          // the smallest layout that gives it
     std::optional<RoomLayout> layout{}; // or this one
+    bool surfaces = false;              // requests RoomPlan::surfaces
     unsigned threads = 0;               // 0 = all hardware threads
+};
+
+// Maintained means of what EN 12464-1 asks for beside the working plane.
+struct RoomSurfaces {
+    double walls_lx = 0.0;
+    double ceiling_lx = 0.0;
+    double cylindrical_lx = 0.0; // at the height of the eyes, above the working plane's area
 };
 
 // UGR for an observer at the middle of a wall, who looks level at the opposite one.
@@ -66,6 +74,7 @@ struct RoomPlan {
     std::vector<double> direct_lx;
     Spread spread;                         // of illuminance_lx
     std::array<RoomObserver, 4> observers; // at the walls −X, +X, −Y, +Y
+    std::optional<RoomSurfaces> surfaces;  // if requested
 };
 
 // The stage of such a room: surfaces "floor", "ceiling" and "wall".
