@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -205,7 +204,8 @@ private:
 } // namespace
 
 Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOptions& options) {
-    assert(std::lround(1.0 / options.spacing) * options.spacing == 1.0);
+    if (!(options.spacing > 0.0 && std::round(1.0 / options.spacing) * options.spacing == 1.0))
+        return no_figure("the spacing of the luminaires does not divide the rooms");
     if (opening.shape == OpeningShape::point) return no_figure("the file states no luminous opening");
     const Glare glare(web, opening, options);
     const ZonalFlux flux(web);

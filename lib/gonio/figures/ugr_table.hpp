@@ -54,7 +54,7 @@ enum class UgrInterpolation { intensity, luminance };
 
 // What a table of UGR is made for.
 struct UgrOptions {
-    double spacing = 0.25; // between luminaires, in the unit of the rooms' sides; 0.25 in catalogues, 1 in CIE 190
+    double spacing = 0.25; // between luminaires, in the unit of the rooms' sides, which it divides; 1 in CIE 190
     UgrInterpolation interpolation = UgrInterpolation::intensity;
 
     // The C of the web from which the luminaire is seen crosswise: 0 in EULUMDAT, −90 in LM-63. Endwise is 90° further.
@@ -68,8 +68,7 @@ using UgrTable = std::array<std::array<double, 2 * ugr_reflectances.size()>, ugr
 // That of a luminaire as it shines, with its own lumens ("corrected for the lamps' flux"); that for lamps of 1000 lm is
 // lower by 8 log₁₀(Φ/1000 lm). Only the quarter of C from crosswise to endwise is read, as the rule has it. The opening
 // is in the frame of the web. There is none without an opening, if it has no area towards a direction in which it
-// shines, and if no room
-// has light that reaches the eye.
+// shines, if no room has light that reaches the eye, and with a spacing that does not divide the rooms.
 Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOptions& options = {});
 
 // Luminance of the background in one of the rooms, with the luminaires 1 m above the eye [cd/m²]; it falls with the

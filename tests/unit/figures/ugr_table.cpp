@@ -154,6 +154,7 @@ TEST(UgrTable, SaysWhyThereIsNone) {
     EXPECT_EQ(ugr_table(test::lambertian_web(1000.0), {}).error(), "the file states no luminous opening");
     const Web spot = *Web::create(Symmetry::axial, {0.0}, {0.0, 5.0}, {1000.0, 1000.0});
     EXPECT_EQ(ugr_table(spot, rectangle(0.1, 0.1)).error(), "no light reaches the eye in the standard rooms");
+    EXPECT_FALSE(ugr_table(test::lambertian_web(1000.0), rectangle(0.6, 0.6), {0.3, UgrInterpolation::intensity, 0.0}));
     Opening upright = rectangle(0.1, 0.0);
     EXPECT_NE(ugr_table(test::lambertian_web(1000.0), upright).error().find("has no area towards gamma"),
               std::string::npos);
