@@ -78,15 +78,15 @@ std::vector<RoomLayout> regular_layouts(double length_m, double width_m) {
     return even;
 }
 
-const Opening* declared_opening(const Light& light) {
-    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
+const Opening* declared_opening(const Shape& shape) {
+    const auto* const profile = std::get_if<ProfileShape>(&shape);
     if (profile == nullptr) return nullptr;
     return profile->given != nullptr ? profile->given.get() : profile->declared.get();
 }
 
 // Extent of a luminaire along X and Y of the room [m].
 glm::dvec3 extent_of(const Light& light) {
-    const Opening* const opening = declared_opening(light);
+    const Opening* const opening = declared_opening(light.shape);
     if (opening == nullptr) return glm::dvec3(0.0);
     const glm::dvec3 x = light.frame.x * opening->size_m.x;
     const glm::dvec3 y = light.frame.y * opening->size_m.y;
@@ -98,9 +98,11 @@ class Planner {
 public:
     Planner(LightDescription luminaire, const RoomPlanRequest& request)
         : luminaire_(std::move(luminaire)), request_(request), stage_(box_room(request.size_m, request.reflectances)) {
-        // A luminaire at the ceiling shines from just below it.
+        // A luminaire at the ceiling shines from just below it, all of its opening.
         const double height_m = request.mounting_height_m > 0.0 ? request.mounting_height_m : request.size_m.z;
-        luminaire_.position.z = std::min(height_m, request.size_m.z - 1e-3);
+        const Opening* const opening = declared_opening(luminaire_.shape);
+        const double half_m = opening != nullptr ? 0.5 * opening->size_m.z : 0.0;
+        luminaire_.position.z = std::min(height_m, request.size_m.z - half_m - 1e-3);
     }
 
     Result<RoomPlan> plan(const RoomLayout& layout) const {

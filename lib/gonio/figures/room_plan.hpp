@@ -37,7 +37,7 @@ struct RoomLayout {
 struct RoomPlanRequest {
     glm::dvec3 size_m{0.0}; // length along X, width along Y, height
     RoomReflectances reflectances{0.7, 0.5, 0.2};
-    double mounting_height_m = 0.0; // of the luminaires; 0: at the ceiling
+    double mounting_height_m = 0.0; // of the luminaires' middles; 0: at the ceiling, all of them below it
     double plane_height_m = 0.75;   // of the working plane
     double wall_zone_m = 0.5;       // along the walls, left out of the working plane (EN 12464-1)
     double eye_height_m = 1.2;      // of the observers

@@ -98,6 +98,25 @@ TEST(RoomPlan, TurnsWithTheRoom) {
     EXPECT_NEAR(plan.observers[2].ugr.value(), other.observers[0].ugr.value(), 0.02);
 }
 
+// A body that shines to all sides hangs below the ceiling, which would hide half of it.
+TEST(RoomPlan, HangsBodiesBelowTheCeiling) {
+    const auto web = std::make_shared<const Web>(*Web::create(Symmetry::axial, {0.0}, {0.0, 180.0}, {100.0, 100.0}));
+    LightDescription light = luminaire(1000.0);
+    auto& profile = std::get<ProfileShape>(light.shape);
+    profile.web = web;
+    Opening box;
+    box.shape = OpeningShape::box;
+    box.size_m = {0.2, 0.2, 0.2};
+    box.side_heights_m = {0.2, 0.2, 0.2, 0.2};
+    profile.declared = std::make_shared<const Opening>(box);
+    profile.size = ProfileSize::opening;
+    RoomPlanRequest request = room(4.0, 4.0, 3.0);
+    request.reflectances = {0.0, 0.0, 0.0};
+    request.maintenance_factor = 1.0;
+    request.layout = RoomLayout{1, 1};
+    EXPECT_NEAR(planned(light, request).lights.front().frame.origin.z, 2.899, 1e-12);
+}
+
 TEST(RoomPlan, MaintainsLess) {
     RoomPlanRequest request = room(5.0, 5.0, 3.0);
     request.layout = RoomLayout{2, 2};
