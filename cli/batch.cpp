@@ -40,8 +40,7 @@ public:
     int close() {
         progress_.clear();
         const std::size_t count = batch_.inputs.size();
-        if (kind_ == ReportKind::json && !(count == 1 && reports_.empty()))
-            console_.print(dump(count == 1 ? reports_.front() : reports_, 2));
+        if (kind_ == ReportKind::json && count != 1) console_.print(reported_ == 0 ? "[]\n" : "\n]\n");
         if (count > 1) console_.note(closing_line(count));
         return status_;
     }
@@ -75,7 +74,15 @@ private:
         }
         if (outcome.report.is_null()) return;
         if (kind_ == ReportKind::jsonl) console_.print(dump(outcome.report, -1));
-        if (kind_ == ReportKind::json) reports_.push_back(std::move(outcome.report));
+        if (kind_ != ReportKind::json) return;
+        if (batch_.inputs.size() == 1) {
+            console_.print(dump(outcome.report, 2));
+        } else {
+            // An array, of which each element is written as soon as it is there: a catalogue's is never held as a
+            // whole.
+            console_.print(reported_++ == 0 ? "[\n  " : ",\n  ");
+            console_.print(dump_element(outcome.report));
+        }
     }
 
     // In a batch, a message without a file name would not show which input it is about.
@@ -96,7 +103,7 @@ private:
     std::size_t failed_ = 0;
     std::size_t unchanged_ = 0;
     int status_ = 0;
-    Json reports_ = Json::array();
+    std::size_t reported_ = 0; // elements of the array that were written
 };
 
 } // namespace

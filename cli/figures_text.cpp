@@ -135,8 +135,9 @@ std::string figures_text(const LuminaireFigures& figures) {
         text += no_figure_line("direct", figures.direct_ratios.error());
     }
     if (figures.ugr && figures.ugr_correction)
-        text += line("UGR", fmt::format("for the lamps' own flux; for 1000 lm each is lower by {:.2f}",
-                                        *figures.ugr_correction));
+        text +=
+            line("UGR", fmt::format("{:+.2f} for the lamps' flux is in these tables; subtract it for lamps of 1000 lm",
+                                    *figures.ugr_correction));
     if (figures.ugr)
         text += ugr_text(*figures.ugr, "UGR", "ugr_table");
     else

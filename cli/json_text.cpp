@@ -60,4 +60,10 @@ std::string dump(const Json& json, int indent) {
     return text + "\n";
 }
 
+std::string dump_element(const Json& json) {
+    std::string text;
+    append(text, json, 2, 1);
+    return text;
+}
+
 } // namespace gonio::cli

@@ -15,4 +15,7 @@ using detail::number_or_null;
 // for ten numbers or more in an array.
 std::string dump(const Json& json, int indent);
 
+// The same as an element of an array that is written piece by piece, two spaces deep, without a newline.
+std::string dump_element(const Json& json);
+
 } // namespace gonio::cli
