@@ -5,6 +5,13 @@ include(CMakeDependentOption)
 # A tenth of a module; the tests compare with them.
 cmake_dependent_option(GONIO_WASM_SCALAR "Compile the plain kernels beside those for SIMD128" "${BUILD_TESTING}" GONIO_WASM_SIMD ON)
 
+# What profiles need: read, measured, drawn, baked. Pictures would take five times as long.
+option(GONIO_WASM_SMALL "Optimise for size, when a module is linked too; libgonio.a is then for this Emscripten alone" OFF)
+if(GONIO_WASM_SMALL)
+    add_compile_options(-flto)
+    add_link_options(-flto)
+endif()
+
 # Header-only libraries are the same for every machine, but their CMake packages either refuse a processor with 32 bits or
 # name the folder where this machine's C library also has its headers. So the folders of just these libraries are linked
 # into the build.
