@@ -81,9 +81,9 @@ void add_stage_light(const ReceiverLight& on_stage, const ProbeRequest& request,
     stretch.indirect_lx = shares.indirect_lx;
     if (!request.glare) return;
     for (std::size_t i = 0; i < stretch.receivers.size(); ++i)
-        stretch.glare.push_back(glare_rating(request.lights, stretch.receivers[i],
-                                             std::span(shares.visible).subspan(i * lights, lights),
-                                             shares.sky_lx[i] + shares.indirect_lx[i]));
+        stretch.glare.push_back(glare_rating(
+            request.lights, {stretch.receivers[i].position, stretch.receivers[i].normal},
+            std::span(shares.visible).subspan(i * lights, lights), shares.sky_lx[i] + shares.indirect_lx[i]));
 }
 
 // The same for an illuminance that is not of a flat surface, from the surfaces that stand for it. A light is hidden as

@@ -5,7 +5,7 @@
 #include <gonio/plot/grid_diagram.hpp>
 
 #include "../facts_text.hpp"
-#include "../options/glare_remarks.hpp"
+#include "../options/glare_text.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 
@@ -110,8 +110,7 @@ double share_of_glare(const GlareRating& rating, std::size_t light) {
 
 // " UGR 17.2 before 45 nt"
 std::string glare_text(const GlareRating& rating) {
-    const std::string ugr = !rating.ugr ? "none" : *rating.ugr < 10.0 ? "below 10" : fmt::format("{:.1f}", *rating.ugr);
-    return fmt::format(", UGR {} before {} nt", ugr, rounded(rating.background.value, 4));
+    return fmt::format(", UGR {} before {} nt", ugr_text(rating), rounded(rating.background.value, 4));
 }
 
 Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::size_t i) {

@@ -1,11 +1,11 @@
 // The output of `gonio probe`: a line or an object for each point as soon as it is computed, and a summary.
 #pragma once
 
+#include <gonio/figures/glare.hpp>
 #include <gonio/scene/probe.hpp>
 
 #include "../console.hpp"
 #include "../json_writer.hpp"
-#include "glare_rating.hpp"
 #include "request.hpp"
 
 #include <cstddef>

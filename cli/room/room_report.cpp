@@ -3,7 +3,7 @@
 #include <gonio/base/unit_text.hpp>
 
 #include "../facts_text.hpp"
-#include "../options/glare_remarks.hpp"
+#include "../options/glare_text.hpp"
 
 #include <fmt/format.h>
 
@@ -35,15 +35,10 @@ double mounting_height_m(const RoomPlanRequest& request) {
     return request.mounting_height_m > 0.0 ? request.mounting_height_m : request.size_m.z;
 }
 
-std::string ugr_text(const RoomPlan& plan) {
+std::string observers_text(const RoomPlan& plan) {
     std::string text;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const std::optional<double>& ugr = plan.observers.at(i).ugr;
-        text += fmt::format("{}{} towards {}", i == 0 ? "" : ", ",
-                            !ugr          ? std::string("none")
-                            : *ugr < 10.0 ? std::string("below 10")
-                                          : fmt::format("{:.1f}", *ugr),
-                            views.at(i));
+        text += fmt::format("{}{} towards {}", i == 0 ? "" : ", ", ugr_text(plan.observers.at(i).glare), views.at(i));
     }
     return text;
 }
@@ -66,7 +61,7 @@ std::string room_text(const RoomRequest& request, const RoomPlan& plan) {
     text += line("plane", fmt::format("{} m high, {} m off the walls, {} × {} points, maintenance factor {}",
                                       rounded(asked.plane_height_m, 4), rounded(asked.wall_zone_m, 4),
                                       plan.grid.columns, plan.grid.rows, rounded(asked.maintenance_factor, 4)));
-    text += line("UGR", ugr_text(plan));
+    text += line("UGR", observers_text(plan));
     if (const std::optional<double> density = power_density(request, plan))
         text += line("power", fmt::format("{} W, {} W/m², {} W/m² per 100 lx",
                                           rounded(*request.input_w * static_cast<double>(plan.layout.count()), 4),
@@ -90,8 +85,8 @@ void judge(RoomRequest& request, const RoomPlan& plan) {
     double worst = -std::numeric_limits<double>::infinity();
     bool is_rated = true;
     for (const RoomObserver& seen : plan.observers) {
-        is_rated = is_rated && seen.ugr;
-        worst = std::max(worst, seen.ugr.value_or(worst));
+        is_rated = is_rated && seen.glare.ugr;
+        worst = std::max(worst, seen.glare.ugr.value_or(worst));
     }
     if (is_rated) reached.ugr = worst;
     request.task->verdicts = verdicts(request.task->task, reached, request.task->raised);
@@ -101,8 +96,8 @@ void add_remarks(const RoomPlan& plan, Diagnostics& diagnostics) {
     bool has_too_large = false;
     bool is_rated = true;
     for (const RoomObserver& seen : plan.observers) {
-        has_too_large = has_too_large || seen.has_too_large;
-        is_rated = is_rated && seen.ugr;
+        has_too_large = has_too_large || seen.glare.has_too_large;
+        is_rated = is_rated && seen.glare.ugr;
     }
     add_glare_remarks(!is_rated, has_too_large, diagnostics);
 }
@@ -116,8 +111,8 @@ Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnosti
         const auto vector = [](const glm::dvec3& value) { return Json::array({value.x, value.y, value.z}); };
         observers.push_back({{"position", vector(seen.observer.eye)},
                              {"view", vector(seen.observer.view)},
-                             {"ugr", number_or_null(seen.ugr)},
-                             {"background_nt", seen.background.value}});
+                             {"ugr", number_or_null(seen.glare.ugr)},
+                             {"background_nt", seen.glare.background.value}});
     }
     Json points = Json::array();
     for (std::size_t i = 0; i < plan.grid.receivers.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <variant>
 
 namespace gonio {
@@ -52,6 +54,25 @@ std::optional<GlareShare> glare_share(const Light& light, const Observer& observ
     share.sum = share.luminance.value * share.luminance.value * share.solid_angle_sr /
                 (share.position_index * share.position_index);
     return share;
+}
+
+GlareRating glare_rating(std::span<const Light> lights, const Observer& observer, std::span<const double> visible,
+                         double background_lx) {
+    GlareRating rating;
+    rating.background = Nits(background_lx / std::numbers::pi);
+    double sum = 0.0;
+    bool has_point = false;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const std::optional<GlareShare> share = glare_share(lights[i], observer);
+        has_point = has_point || !share;
+        rating.lights.push_back(share.value_or(GlareShare()));
+        GlareShare& seen = rating.lights.back();
+        seen.sum *= visible[i];
+        sum += seen.sum;
+        rating.has_too_large = rating.has_too_large || (seen.is_too_large && seen.sum > 0.0);
+    }
+    if (!has_point && sum > 0.0 && background_lx > 0.0) rating.ugr = unified_glare_rating(sum, rating.background);
+    return rating;
 }
 
 double unified_glare_rating(double sum_of_shares, Nits background) {

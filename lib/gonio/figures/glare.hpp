@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #pragma GCC visibility push(default)
 namespace gonio {
@@ -36,6 +37,18 @@ struct GlareShare {
 // That of a light; of one behind the eye, of the sun and of one that does not shine there, a sum of 0. Empty for a
 // light without a size: a point, or a profile that states no luminous opening.
 std::optional<GlareShare> glare_share(const Light& light, const Observer& observer);
+
+// What an observer sees of all lights.
+struct GlareRating {
+    std::optional<double> ugr; // empty: nothing glares, no background, or a light without a size
+    Nits background;
+    std::vector<GlareShare> lights; // times what reaches the eye of each
+    bool has_too_large = false;     // one of them is above 0.1 sr
+};
+
+// `visible` has the share of each light that reaches the eye, `background_lx` what arrives there from all else.
+GlareRating glare_rating(std::span<const Light> lights, const Observer& observer, std::span<const double> visible,
+                         double background_lx);
 
 // UGR of the sum of all shares and the background's luminance Lb = E/π, with the vertical illuminance E at the eye
 // without what comes from the lights directly. −∞ without glare, +∞ without a background.

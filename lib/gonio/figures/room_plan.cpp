@@ -268,20 +268,9 @@ private:
             eyes.push_back({observer.eye, observer.view});
         const ReceiverLight::Shares shares = on_stage.at(eyes);
         for (std::size_t i = 0; i < walls.size(); ++i) {
-            RoomObserver& seen = plan.observers.at(i);
-            seen.observer = walls.at(i);
-            seen.background = Nits(shares.indirect_lx[i] / std::numbers::pi);
-            double sum = 0.0;
-            bool is_known = true;
-            for (const Light& light : plan.lights) {
-                const std::optional<GlareShare> share = glare_share(light, walls.at(i));
-                is_known = is_known && share;
-                if (!share) break;
-                sum += share->sum;
-                seen.has_too_large = seen.has_too_large || share->is_too_large;
-            }
-            if (is_known && sum > 0.0 && seen.background.value > 0.0)
-                seen.ugr = unified_glare_rating(sum, seen.background);
+            const std::span visible = std::span(shares.visible).subspan(i * plan.lights.size(), plan.lights.size());
+            plan.observers.at(i) = {walls.at(i),
+                                    glare_rating(plan.lights, walls.at(i), visible, shares.indirect_lx[i])};
         }
         return {};
     }

@@ -58,9 +58,7 @@ struct RoomSurfaces {
 // UGR for an observer at the middle of a wall, who looks level at the opposite one.
 struct RoomObserver {
     Observer observer;
-    Nits background;
-    std::optional<double> ugr;  // empty: a luminaire without an opening, or no glare
-    bool has_too_large = false; // a luminaire above 0.1 sr, where the rule does not hold
+    GlareRating glare;
 };
 
 // A planned room.

@@ -93,9 +93,9 @@ TEST(RoomPlan, TurnsWithTheRoom) {
     light.rotation = degrees(90.0);
     const RoomPlan other = planned(light, turned);
     EXPECT_NEAR(plan.spread.mean, other.spread.mean, 2e-3 * plan.spread.mean);
-    EXPECT_NEAR(plan.observers[0].ugr.value(), other.observers[2].ugr.value(), 0.02);
-    EXPECT_NEAR(plan.observers[0].ugr.value(), plan.observers[1].ugr.value(), 0.02); // from both ends
-    EXPECT_NEAR(plan.observers[2].ugr.value(), other.observers[0].ugr.value(), 0.02);
+    EXPECT_NEAR(plan.observers[0].glare.ugr.value(), other.observers[2].glare.ugr.value(), 0.02);
+    EXPECT_NEAR(plan.observers[0].glare.ugr.value(), plan.observers[1].glare.ugr.value(), 0.02); // from both ends
+    EXPECT_NEAR(plan.observers[2].glare.ugr.value(), other.observers[0].glare.ugr.value(), 0.02);
 }
 
 // A body that shines to all sides hangs below the ceiling, which would hide half of it.
@@ -125,7 +125,7 @@ TEST(RoomPlan, MaintainsLess) {
     request.maintenance_factor = 0.7;
     const RoomPlan later = planned(luminaire(3000.0), request);
     EXPECT_NEAR(later.spread.mean, 0.7 * fresh.spread.mean, 1e-9);
-    EXPECT_EQ(later.observers[0].ugr, fresh.observers[0].ugr); // of the new installation
+    EXPECT_EQ(later.observers[0].glare.ugr, fresh.observers[0].glare.ugr); // of the new installation
 }
 
 TEST(RoomPlan, RefusesWhatCannotBe) {

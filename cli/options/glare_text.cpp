@@ -1,8 +1,15 @@
-#include "glare_remarks.hpp"
+#include "glare_text.hpp"
 
 #include <gonio/base/codes/result.hpp>
 
+#include <fmt/format.h>
+
 namespace gonio::cli {
+
+std::string ugr_text(const GlareRating& rating) {
+    if (!rating.ugr) return "none";
+    return *rating.ugr < 10.0 ? std::string("below 10") : fmt::format("{:.1f}", *rating.ugr);
+}
 
 void add_glare_remarks(bool lacks_rating, bool has_too_large, Diagnostics& diagnostics) {
     if (has_too_large)
