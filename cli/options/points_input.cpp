@@ -124,7 +124,7 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 
 // "O:U:V:NxM" or "O:U:V".
 Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec3>& normal,
-                          std::optional<double> spacing_m) {
+                          const std::optional<GridSpacing>& spacing) {
     const std::vector<std::string_view> parts = split(text, ':');
     if (parts.size() < 3 || parts.size() > 4)
         return fail("USE0105", fmt::format("--grid does not take '{}'", text),
@@ -145,12 +145,12 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
     if (parts.size() == 3) {
         if (!normal && !upright) return no_normal();
         Result<ReceiverGrid> grid =
-            parallelogram_grid(corner, u, v, spacing_m, normal ? *normal : *upright, max_points);
+            parallelogram_grid(corner, u, v, spacing.value_or(GridSpacing()), normal ? *normal : *upright, max_points);
         if (!grid) return pass_on(grid);
         take(std::move(*grid), points);
         return points;
     }
-    if (spacing_m)
+    if (spacing)
         return fail("USE0107", "--spacing and a number of points in --grid are both given",
                     "leave the :NxM of --grid out");
     Result<PixelSize> size = parse_size(parts[3]);
@@ -179,14 +179,14 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
 
 // "P:P:P".
 Result<Points> parse_polygon(const std::string& text, const std::optional<glm::dvec3>& normal,
-                             std::optional<double> spacing_m) {
+                             const GridSpacing& spacing) {
     std::vector<glm::dvec3> corners;
     for (const std::string_view part : split(text, ':')) {
         Result<glm::dvec3> corner = parse_vector(part, fmt::format("corner {} of --polygon", corners.size() + 1));
         if (!corner) return pass_on(corner);
         corners.push_back(*corner);
     }
-    Result<ReceiverGrid> grid = polygon_grid(corners, spacing_m, normal, max_points);
+    Result<ReceiverGrid> grid = polygon_grid(corners, spacing, normal, max_points);
     if (!grid) return pass_on(grid);
     Points points;
     take(std::move(*grid), points);
@@ -204,9 +204,23 @@ Result<std::optional<double>> length_input(const Arguments& arguments, std::stri
                 fmt::format("{} must be {}, not {}", option, may_be_zero ? "0 or greater" : "greater than 0", *text));
 }
 
-Result<Workplane> read_workplane(const Arguments& arguments, std::optional<double> spacing_m) {
+// --spacing: a length, or the name of a standard; empty if it is not given.
+Result<std::optional<GridSpacing>> spacing_input(const Arguments& arguments) {
+    if (!arguments.has("--spacing")) return std::optional<GridSpacing>();
+    const std::string text = *arguments.value("--spacing");
+    if (text == "en12193") return std::optional(GridSpacing{{}, true});
+    if (text == "en12464") return std::optional(GridSpacing());
+    Result<std::optional<double>> length = length_input(arguments, "--spacing", false);
+    if (!length) {
+        error_hint(length.error(), "a length (50cm), or en12464 or en12193");
+        return pass_on(length);
+    }
+    return std::optional(GridSpacing{*length, false});
+}
+
+Result<Workplane> read_workplane(const Arguments& arguments, const GridSpacing& spacing) {
     Workplane plane;
-    plane.spacing_m = spacing_m;
+    plane.spacing = spacing;
     Result<double> height = parse_amount(*arguments.value("--workplane"), Dimension::length, "--workplane");
     if (!height) return pass_on(height);
     plane.height_m = *height;
@@ -267,7 +281,7 @@ Result<Points> points_input(const Arguments& arguments) {
         return fail("USE0104", "--wall-zone needs --workplane", "only a working plane has walls");
     if (arguments.has("--spacing") && !grid && !polygon && !has_workplane)
         return fail("USE0104", "--spacing needs --grid, --polygon or --workplane", "points by name have no spacing");
-    Result<std::optional<double>> spacing = length_input(arguments, "--spacing", false);
+    Result<std::optional<GridSpacing>> spacing = spacing_input(arguments);
     if (!spacing) return pass_on(spacing);
 
     std::vector<glm::dvec3> normals;
@@ -286,8 +300,8 @@ Result<Points> points_input(const Arguments& arguments) {
     const glm::dvec3 default_normal = normals.empty() ? Receiver().normal : normals.front();
     const auto given_normal = normals.empty() ? std::nullopt : std::optional(normals.front());
     if (grid || polygon) {
-        Result<Points> of_area =
-            grid ? parse_grid(*grid, given_normal, *spacing) : parse_polygon(*polygon, given_normal, *spacing);
+        Result<Points> of_area = grid ? parse_grid(*grid, given_normal, *spacing)
+                                      : parse_polygon(*polygon, given_normal, spacing->value_or(GridSpacing()));
         if (of_area) of_area->has_normals = !normals.empty();
         return of_area;
     }
@@ -295,7 +309,7 @@ Result<Points> points_input(const Arguments& arguments) {
     Points points;
     points.has_normals = !normals.empty();
     if (has_workplane) {
-        Result<Workplane> plane = read_workplane(arguments, *spacing);
+        Result<Workplane> plane = read_workplane(arguments, spacing->value_or(GridSpacing()));
         if (!plane) return pass_on(plane);
         points.workplane = *plane;
         points.receivers.push_back({glm::dvec3(0.0), default_normal}); // its normal
@@ -339,7 +353,7 @@ Result<void> place_on(const Stage& stage, Points& points) {
                                 rounded(area->high.x - area->low.x), rounded(area->high.y - area->low.y)),
                     "use a smaller --wall-zone");
     Result<ReceiverGrid> grid = parallelogram_grid(area->low + zone, {size.x, 0.0, 0.0}, {0.0, size.y, 0.0},
-                                                   plane.spacing_m, points.receivers.front().normal, max_points);
+                                                   plane.spacing, points.receivers.front().normal, max_points);
     if (!grid) return pass_on(grid);
     take(std::move(*grid), points);
     return {};

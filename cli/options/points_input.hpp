@@ -28,7 +28,10 @@ inline constexpr std::array points_options{
     Option{"--polygon", "P:P:P…", "cell centres in the flat polygon with these corners, each X,Y,Z"},
     Option{"--workplane", "HEIGHT", "cell centres at this height between the walls of the stage"},
     Option{"--wall-zone", "LENGTH", "with --workplane: distance from the walls that has no points (50cm)"},
-    Option{"--spacing", "LENGTH", "of the points of a grid (EN 12464-1: 0.2 m · 5^log10(side in m), at most 10 m)"},
+    Option{
+        "--spacing", "LENGTH",
+        "of the points of a grid (EN 12464-1: 0.2 m · 5^log10(side in m), at most 10 m); en12193: for sports, an odd "
+        "number along each side"},
 };
 
 inline constexpr OptionGroup points_group{"points", points_options};
@@ -40,7 +43,7 @@ inline constexpr std::size_t max_points = limit("points").value;
 struct Workplane {
     double height_m = 0.75;
     double wall_zone_m = 0.5;
-    std::optional<double> spacing_m;
+    GridSpacing spacing;
 };
 
 struct Points {

@@ -163,8 +163,7 @@ private:
     Result<ReceiverGrid> working_plane() const {
         const glm::dvec3 corner(-0.5 * request_.size_m.x + request_.wall_zone_m,
                                 -0.5 * request_.size_m.y + request_.wall_zone_m, request_.plane_height_m);
-        return parallelogram_grid(corner, {-2.0 * corner.x, 0.0, 0.0}, {0.0, -2.0 * corner.y, 0.0}, std::nullopt, up,
-                                  1U << 16U);
+        return parallelogram_grid(corner, {-2.0 * corner.x, 0.0, 0.0}, {0.0, -2.0 * corner.y, 0.0}, {}, up, 1U << 16U);
     }
 
     Result<void> add_light(RoomPlan& plan) const {
@@ -212,7 +211,7 @@ private:
         std::vector<Receiver> ceiling;
         const auto add = [](const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
                             const glm::dvec3& normal, std::vector<Receiver>& to) -> Result<void> {
-            Result<ReceiverGrid> made = parallelogram_grid(corner, u, v, std::nullopt, normal, 1U << 16U);
+            Result<ReceiverGrid> made = parallelogram_grid(corner, u, v, {}, normal, 1U << 16U);
             if (!made) return pass_on(made);
             to.insert(to.end(), made->receivers.begin(), made->receivers.end());
             return {};

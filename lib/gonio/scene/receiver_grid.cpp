@@ -44,6 +44,26 @@ void fill(ReceiverGrid& grid, const glm::dvec3& normal, const Keep& keeps) {
     if (grid.cells.size() == grid.rows * grid.columns) grid.cells.clear();
 }
 
+// Cells along both sides of an area.
+struct CellCounts {
+    std::size_t columns = 1;
+    std::size_t rows = 1;
+};
+
+CellCounts cell_counts(double length_m, double width_m, const GridSpacing& spacing) {
+    if (spacing.length_m || !spacing.for_sports) {
+        const double step_m = spacing.length_m.value_or(grid_spacing_m(length_m, width_m));
+        return {cells_along(length_m, step_m), cells_along(width_m, step_m)};
+    }
+    const double step_m = 0.2 * std::pow(5.0, std::log10(std::max(length_m, width_m)));
+    // The odd number 2k + 1 that is nearest to n has k = (n − 1)/2, rounded.
+    const auto nearest_odd = [&](double side_m) {
+        const double half = std::round(0.5 * (side_m / step_m - 1.0));
+        return 2 * static_cast<std::size_t>(std::clamp(half, 0.0, 1e15)) + 1;
+    };
+    return {nearest_odd(length_m), nearest_odd(width_m)};
+}
+
 struct Flat {
     double x = 0.0;
     double y = 0.0;
@@ -96,7 +116,7 @@ std::size_t cells_along(double length_m, double spacing_m) {
 }
 
 Result<ReceiverGrid> parallelogram_grid(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
-                                        std::optional<double> spacing_m, const glm::dvec3& normal, std::size_t most) {
+                                        const GridSpacing& spacing, const glm::dvec3& normal, std::size_t most) {
     const double along_u = glm::length(u);
     const double along_v = glm::length(v);
     if (!(along_u > 0.0) || !(along_v > 0.0))
@@ -104,14 +124,14 @@ Result<ReceiverGrid> parallelogram_grid(const glm::dvec3& corner, const glm::dve
     if (!(along_u <= widest_m && along_v <= widest_m))
         return fail("USE0106", fmt::format("the grid is wider than {} m", widest_m),
                     "give its number of points as NxM");
-    const double spacing = spacing_m.value_or(grid_spacing_m(along_u, along_v));
-    ReceiverGrid grid{corner, u, v, cells_along(along_u, spacing), cells_along(along_v, spacing), {}, {}, {}};
+    const CellCounts cells = cell_counts(along_u, along_v, spacing);
+    ReceiverGrid grid{corner, u, v, cells.columns, cells.rows, {}, {}, {}};
     if (Result<void> fits = check_count(grid.columns, grid.rows, most); !fits) return pass_on(fits);
     fill(grid, normal, [](const glm::dvec3& /*center*/) { return true; });
     return grid;
 }
 
-Result<ReceiverGrid> polygon_grid(std::span<const glm::dvec3> corners, std::optional<double> spacing_m,
+Result<ReceiverGrid> polygon_grid(std::span<const glm::dvec3> corners, const GridSpacing& spacing,
                                   const std::optional<glm::dvec3>& normal, std::size_t most) {
     if (corners.size() < 3)
         return fail("USE0105", fmt::format("a polygon has at least three corners, not {}", corners.size()),
@@ -177,23 +197,19 @@ Result<ReceiverGrid> polygon_grid(std::span<const glm::dvec3> corners, std::opti
     }
     const double width = high.x - low.x;
     const double height = high.y - low.y;
-    const double spacing = spacing_m.value_or(grid_spacing_m(width, height));
+    const CellCounts cells = cell_counts(width, height, spacing);
     const double off = glm::dot(corners[0], n);
-    ReceiverGrid grid{low.x * along + low.y * across + off * n,
-                      width * along,
-                      height * across,
-                      cells_along(width, spacing),
-                      cells_along(height, spacing),
-                      {},
-                      {},
-                      {corners.begin(), corners.end()}};
+    ReceiverGrid grid{
+        low.x * along + low.y * across + off * n, width * along, height * across, cells.columns, cells.rows, {}, {},
+        {corners.begin(), corners.end()}};
     if (Result<void> fits = check_count(grid.columns, grid.rows, most); !fits) return pass_on(fits);
     fill(grid, normal.value_or(n), [&](const glm::dvec3& center) {
         return is_inside(flat, {glm::dot(center, along), glm::dot(center, across)});
     });
     if (grid.receivers.empty())
         return fail("USE0106",
-                    fmt::format("no point of the grid lies in the polygon at a spacing of {} m", rounded(spacing)),
+                    fmt::format("no point of the grid lies in the polygon at a spacing of {} m",
+                                rounded(width / static_cast<double>(cells.columns))),
                     "use a smaller --spacing");
     return grid;
 }

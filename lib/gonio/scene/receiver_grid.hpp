@@ -2,8 +2,8 @@
 //
 // Spacing by EN 12464-1: p = 0.2·5^log10(d) metres, at most 10 m, d the longer side, or the shorter one where the sides
 // are at 2 to 1 or more; each side has as many cells as p goes into it, rounded to the nearest number (2021; earlier
-// editions round up). Receivers are at the centres of the
-// cells. A polygon has the cells of the rectangle around it whose centres lie inside.
+// editions round up). By EN 12193, for sports, d is the longer side always, and the numbers of cells are odd. Receivers
+// are at the centres of the cells. A polygon has the cells of the rectangle around it whose centres lie inside.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -39,15 +39,21 @@ double grid_spacing_m(double length_m, double width_m);
 // The cells that a side is divided into by a spacing: rounded, at least 1.
 std::size_t cells_along(double length_m, double spacing_m);
 
+// How a grid is spaced.
+struct GridSpacing {
+    std::optional<double> length_m{}; // between points; empty: by a standard
+    bool for_sports = false;          // EN 12193, else EN 12464-1
+};
+
 // The grid of a parallelogram; `normal` of every receiver. Fails (usage) on an area without a size and on more points
-// than `most`; `spacing_m` absent: EN 12464-1.
+// than `most`.
 Result<ReceiverGrid> parallelogram_grid(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
-                                        std::optional<double> spacing_m, const glm::dvec3& normal, std::size_t most);
+                                        const GridSpacing& spacing, const glm::dvec3& normal, std::size_t most);
 
 // Of a flat polygon with at least three corners, in either order of going round. U is the horizontal direction of its
 // plane, or X. Fails (usage) as parallelogram_grid(), on edges that cross or touch, on corners off the plane, and if no
 // centre lies inside.
-Result<ReceiverGrid> polygon_grid(std::span<const glm::dvec3> corners, std::optional<double> spacing_m,
+Result<ReceiverGrid> polygon_grid(std::span<const glm::dvec3> corners, const GridSpacing& spacing,
                                   const std::optional<glm::dvec3>& normal, std::size_t most);
 
 // The value that a percentage of the values does not exceed, linear between the sorted values; 0 for none.

@@ -30,15 +30,15 @@ TEST(ReceiverGrid, SpacingIsThatOfEn12464) {
 }
 
 TEST(ReceiverGrid, HasTheCentresOfItsCells) {
-    const ReceiverGrid grid = parallelogram_grid({1, 2, 0.8}, {4, 0, 0}, {0, 2, 0}, 1.0, {0, 0, 1}, 1000).value();
+    const ReceiverGrid grid = parallelogram_grid({1, 2, 0.8}, {4, 0, 0}, {0, 2, 0}, {1.0}, {0, 0, 1}, 1000).value();
     EXPECT_EQ(grid.columns, 4U);
     EXPECT_EQ(grid.rows, 2U);
     ASSERT_EQ(grid.receivers.size(), 8U);
     EXPECT_EQ(grid.receivers[0].position, glm::dvec3(1.5, 2.5, 0.8));
     EXPECT_EQ(grid.receivers[1].position, glm::dvec3(2.5, 2.5, 0.8));
     EXPECT_EQ(grid.receivers[7].position, glm::dvec3(4.5, 3.5, 0.8));
-    EXPECT_FALSE(parallelogram_grid({}, {0, 0, 0}, {0, 2, 0}, 1.0, {0, 0, 1}, 1000));
-    EXPECT_FALSE(parallelogram_grid({}, {4, 0, 0}, {0, 2, 0}, 1e-3, {0, 0, 1}, 1000));
+    EXPECT_FALSE(parallelogram_grid({}, {0, 0, 0}, {0, 2, 0}, {1.0}, {0, 0, 1}, 1000));
+    EXPECT_FALSE(parallelogram_grid({}, {4, 0, 0}, {0, 2, 0}, {1e-3}, {0, 0, 1}, 1000));
     EXPECT_FALSE(parallelogram_grid({}, {1e300, 0, 0}, {0, 2, 0}, {}, {0, 0, 1}, 1000));
 }
 
@@ -46,7 +46,7 @@ TEST(ReceiverGrid, APolygonHasTheCellsInIt) {
     // An L, either way round.
     Corners corners{{0, 0, 1}, {4, 0, 1}, {4, 2, 1}, {2, 2, 1}, {2, 4, 1}, {0, 4, 1}};
     for (int way = 0; way < 2; ++way) {
-        const ReceiverGrid grid = polygon_grid(corners, 1.0, {}, 1000).value();
+        const ReceiverGrid grid = polygon_grid(corners, {1.0}, {}, 1000).value();
         EXPECT_EQ(grid.columns, 4U);
         EXPECT_EQ(grid.rows, 4U);
         ASSERT_EQ(grid.receivers.size(), 12U);
@@ -57,7 +57,7 @@ TEST(ReceiverGrid, APolygonHasTheCellsInIt) {
     }
     // On a wall.
     const Corners wall{{0, 3, 0}, {2, 3, 0}, {2, 3, 2}};
-    const ReceiverGrid upright = polygon_grid(wall, 0.5, {}, 1000).value();
+    const ReceiverGrid upright = polygon_grid(wall, {0.5}, {}, 1000).value();
     EXPECT_EQ(upright.columns * upright.rows, 16U);
     for (const Receiver& receiver : upright.receivers) {
         EXPECT_NEAR(receiver.position.y, 3.0, 1e-12);
@@ -66,7 +66,7 @@ TEST(ReceiverGrid, APolygonHasTheCellsInIt) {
 }
 
 std::string refusal(const Corners& corners, double spacing = 0.5) {
-    const Result<ReceiverGrid> grid = polygon_grid(corners, spacing, {}, 1000);
+    const Result<ReceiverGrid> grid = polygon_grid(corners, {spacing}, {}, 1000);
     return grid ? "no failure" : grid.error().diagnostics.back().message;
 }
 
@@ -101,6 +101,19 @@ TEST(ReceiverGrid, WallsOfAStage) {
     EXPECT_EQ(beyond_height(make_stage("room").value(), 0.8), nullptr);
     EXPECT_EQ(beyond_height(make_stage("room").value(), 80.0)->name, "ceiling");
     EXPECT_EQ(beyond_height(make_stage("room").value(), -0.1)->name, "floor");
+}
+
+// A football pitch of 105 m by 68 m: p = 5.17 m, 20.3 and 13.2 cells. A tennis court has the spacing of its longer side.
+TEST(ReceiverGrid, OfSportsIsOdd) {
+    const GridSpacing sports{{}, true};
+    const ReceiverGrid pitch = parallelogram_grid({}, {105, 0, 0}, {0, 68, 0}, sports, {0, 0, 1}, 1000).value();
+    EXPECT_EQ(pitch.columns, 21);
+    EXPECT_EQ(pitch.rows, 13);
+    const ReceiverGrid court = parallelogram_grid({}, {36, 0, 0}, {0, 18, 0}, sports, {0, 0, 1}, 1000).value();
+    EXPECT_EQ(court.columns, 15);
+    EXPECT_EQ(court.rows, 7);
+    const ReceiverGrid spot = parallelogram_grid({}, {0.1, 0, 0}, {0, 0.1, 0}, sports, {0, 0, 1}, 1000).value();
+    EXPECT_EQ(spot.columns * spot.rows, 1);
 }
 
 } // namespace
