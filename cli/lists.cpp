@@ -10,6 +10,8 @@
 #include <gonio/color/named_methods.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
+#include <gonio/figures/road_plan.hpp>
+#include <gonio/figures/road_surface.hpp>
 #include <gonio/figures/tasks.hpp>
 #include <gonio/ibl/prefilter_variant.hpp>
 #include <gonio/light/efficacy.hpp>
@@ -165,13 +167,29 @@ Entries quantities() {
     return entries;
 }
 
+Entries road_arrangement_names() {
+    Entries entries;
+    for (const RoadArrangementName& known : road_arrangements())
+        entries.push_back({std::string(known.name), std::string(known.summary)});
+    return entries;
+}
+
+Entries road_surfaces() {
+    Entries entries;
+    for (const RoadSurface& surface : known_road_surfaces())
+        entries.push_back(
+            {surface.name, fmt::format("{} ({}), Q0 {}, S1 {}", surface.title, surface.rule,
+                                       rounded(surface.average.value_or(0.0)), rounded(surface.specular_factor(), 3))});
+    return entries;
+}
+
 Entries tasks() {
     Entries entries;
     for (const Task& task : known_tasks()) {
         std::string requirements;
         for (const Verdict& verdict : verdicts(task, {}))
-            requirements +=
-                fmt::format(", {} {}{}", verdict.what, rounded(verdict.required), verdict.unit.empty() ? "" : " lx");
+            requirements += fmt::format(", {}{} {}{}{}", verdict.what, verdict.is_limit ? " at most" : "",
+                                        rounded(verdict.required), verdict.unit.empty() ? "" : " ", verdict.unit);
         entries.push_back({task.name, fmt::format("{} ({}){}", task.title, task.rule, requirements)});
     }
     return entries;
@@ -382,6 +400,8 @@ constexpr std::array lists{
     NamedList{"presets", "everyday sources", presets},
     NamedList{"programs", "programs of units --for", programs},
     NamedList{"quantities", "illuminances of probe", quantities},
+    NamedList{"road-arrangements", "where the luminaires of road are", road_arrangement_names},
+    NamedList{"road-surfaces", "r-tables of road surfaces", road_surfaces},
 #ifndef GONIO_NO_BENCH
     NamedList{"scalings", "what bench --scaling measures", scalings},
 #endif

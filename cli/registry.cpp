@@ -19,6 +19,7 @@ extern const Command bake_command;
 extern const Command import_command;
 extern const Command rig_command;
 extern const Command probe_command;
+extern const Command road_command;
 extern const Command room_command;
 extern const Command preview_command;
 extern const Command sky_command;
@@ -48,6 +49,7 @@ static constexpr std::array all{
     &rig_command,
     &probe_command,
     &room_command,
+    &road_command,
     &preview_command,
     &sky_command,
 #ifndef GONIO_NO_BENCH

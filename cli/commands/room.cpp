@@ -1,4 +1,3 @@
-#include <gonio/base/file_scope.hpp>
 #include <gonio/figures/room_plan.hpp>
 
 #include "../batch.hpp"
@@ -46,15 +45,6 @@ constexpr std::array examples{
             "what it looks like"},
 };
 
-// The profile's name as the rig's folder has it.
-Result<std::string> name_beside(const std::string& file, const std::string& rig) {
-    const std::string folder = folder_of_file(rig);
-    if ((folder.empty() || folder == ".") && !file.starts_with("/") && !file.starts_with("../")) return file;
-    if (!folder.empty() && file.starts_with(folder + "/")) return file.substr(folder.size() + 1);
-    return fail("USE0107", fmt::format("'{}' is not below the folder of '{}'", file, rig),
-                "a rig names files below its own folder: write it beside the luminaire");
-}
-
 Result<void> write(const Arguments& arguments, const RoomRequest& request, const RoomPlan& plan,
                    Diagnostics& diagnostics) {
     const std::string output = arguments.value("--output").value_or("");
@@ -62,7 +52,7 @@ Result<void> write(const Arguments& arguments, const RoomRequest& request, const
         for (const std::string_view option : {"--size", "--title", "--to"})
             if (arguments.has(option))
                 return fail("USE0107", fmt::format("{} is for a plan, but -o writes a rig", option));
-        Result<std::string> name = name_beside(request.file, output);
+        Result<std::string> name = name_beside(request.luminaire.file, output);
         if (!name) return pass_on(name);
         return write_output(output, room_rig(request, plan, *name));
     }
@@ -82,7 +72,7 @@ Result<int> run_room(const Arguments& arguments, Console& console) {
     if (!request) return pass_on(request);
     const Stopwatch watch;
     Diagnostics again; // of reading the luminaire, which parse_room() has said
-    Result<RoomPlan> plan = plan_room(request->luminaire, request->plan, again);
+    Result<RoomPlan> plan = plan_room(request->luminaire.light, request->plan, again);
     if (!plan) return pass_on(plan);
     console.remark(fmt::format("planned in {:.1f} ms", watch.milliseconds()));
     judge(*request, *plan);

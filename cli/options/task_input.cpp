@@ -17,10 +17,11 @@ namespace gonio::cli {
 
 namespace {
 
-// "524 lx", "0.71", "17.2"
+// "524 lx", "1.02 cd/m²", "0.71", "17.2"
 std::string amount_of(const Verdict& verdict, double value) {
-    if (verdict.unit == "lx") return amount_text(value) + " lx";
-    return fmt::format("{:.{}f}", value, verdict.key == "uniformity" ? 2 : verdict.key == "ugr" ? 1 : 0);
+    const std::string amount =
+        verdict.unit == "lx" ? amount_text(value) : fmt::format("{:.{}f}", value, verdict.decimals);
+    return verdict.unit.empty() ? amount : fmt::format("{} {}", amount, verdict.unit);
 }
 
 } // namespace

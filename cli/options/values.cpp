@@ -48,6 +48,20 @@ Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what) {
     return vector;
 }
 
+Result<double> parse_length(std::string_view text, std::string_view what) {
+    if (const std::optional<double> meters = parse_number(text)) return *meters;
+    return parse_amount(text, Dimension::length, what);
+}
+
+Result<double> parse_factor(std::string_view text, std::string_view what) {
+    const bool is_percent = text.ends_with('%');
+    const std::optional<double> number = parse_number(is_percent ? text.substr(0, text.size() - 1) : text);
+    if (!number)
+        return fail("USE0105", fmt::format("'{}' is not a {}", text, what),
+                    "write a number up to 1, or per cent: 0.8, 80%");
+    return is_percent ? 0.01 * *number : *number;
+}
+
 Result<std::uint64_t> whole_number(std::string_view text, std::string_view what) {
     std::uint64_t digits = 0;
     const char* const end = text.data() + text.size();

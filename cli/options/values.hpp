@@ -26,6 +26,12 @@ Result<PixelSize> parse_size(std::string_view text);
 // "1,2.5,-3".
 Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what);
 
+// In metres, or with a unit: "2.8", "280cm". `what` names the value in the message.
+Result<double> parse_length(std::string_view text, std::string_view what);
+
+// A share: "0.8", "80%".
+Result<double> parse_factor(std::string_view text, std::string_view what);
+
 // "1000", "1e8": a whole number from 0 to 2⁵³, or any 64-bit number if it is written with digits only.
 Result<std::uint64_t> whole_number(std::string_view text, std::string_view what);
 

@@ -2,6 +2,7 @@
 
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/figures/disability_glare.hpp>
 #include <gonio/plot/grid_diagram.hpp>
 
 #include "../facts_text.hpp"
@@ -16,12 +17,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
 namespace gonio::cli {
 
 namespace {
+
+// Whether all receivers lie on a floor.
+bool face_up(std::span<const Receiver> receivers) {
+    return std::all_of(receivers.begin(), receivers.end(), [](const Receiver& receiver) {
+        return receiver.normal.z > 0.999 * glm::length(receiver.normal);
+    });
+}
 
 constexpr std::size_t points_listed = 100; // as text; more are summarised
 constexpr std::size_t lights_listed = 32;
@@ -269,6 +278,12 @@ void ProbeReport::judge() {
         reached.mean_lx = all.mean;
         reached.least_lx = all.least;
         reached.uniformity = all.uniformity();
+    }
+    if (verdict_->task.gr && request_.kind <= IlluminanceKind::horizontal && face_up(request_.points.receivers)) {
+        std::vector<glm::dvec3> points;
+        for (const Receiver& receiver : request_.points.receivers)
+            points.push_back(receiver.position);
+        reached.gr = greatest_field_glare_rating(request_.lights, points, Lux(all.mean));
     }
     verdict_->verdicts = verdicts(verdict_->task, reached, verdict_->raised);
 }

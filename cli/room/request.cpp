@@ -1,11 +1,7 @@
 #include "request.hpp"
 
-#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
-#include <gonio/web/profile_header.hpp>
 
-#include "../options/light_input.hpp"
-#include "../options/profile_input.hpp"
 #include "../options/values.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +9,6 @@
 #include <array>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace gonio::cli {
@@ -35,12 +30,6 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
     return parts;
 }
 
-// In metres, or with a unit: "2.8", "280cm".
-Result<double> length_of(std::string_view text, std::string_view what) {
-    if (const std::optional<double> meters = parse_number(text)) return *meters;
-    return parse_amount(text, Dimension::length, what);
-}
-
 Result<glm::dvec3> room_size(const std::string& text) {
     const std::vector<std::string> parts = split(text, "x");
     if (parts.size() != 3)
@@ -48,7 +37,7 @@ Result<glm::dvec3> room_size(const std::string& text) {
                     "write length, width and height, for example 6x4x2.8 or 6mx4mx280cm");
     glm::dvec3 size(0.0);
     for (int axis = 0; axis < 3; ++axis) {
-        Result<double> length_m = length_of(parts[static_cast<std::size_t>(axis)], "the size of a room");
+        Result<double> length_m = parse_length(parts[static_cast<std::size_t>(axis)], "the size of a room");
         if (!length_m) return pass_on(length_m);
         size[axis] = *length_m;
     }
@@ -70,15 +59,6 @@ Result<RoomReflectances> reflectances_of(const std::string& text) {
     return RoomReflectances{0.01 * percent[0], 0.01 * percent[1], 0.01 * percent[2]};
 }
 
-Result<double> factor_of(std::string_view text, std::string_view what) {
-    const bool is_percent = text.ends_with('%');
-    const std::optional<double> number = parse_number(is_percent ? text.substr(0, text.size() - 1) : text);
-    if (!number)
-        return fail("USE0105", fmt::format("'{}' is not a {}", text, what),
-                    "write a number up to 1, or per cent: 0.8, 80%");
-    return is_percent ? 0.01 * *number : *number;
-}
-
 Result<RoomLayout> layout_of(std::string_view text) {
     Result<PixelSize> size = parse_size(text);
     if (!size) {
@@ -98,7 +78,7 @@ Result<void> read_lengths(const Arguments& arguments, RoomPlanRequest& plan) {
         Length{"--wall-zone", &RoomPlanRequest::wall_zone_m}, Length{"--eye", &RoomPlanRequest::eye_height_m}};
     for (const Length& length : lengths)
         if (const auto text = arguments.value(length.option)) {
-            Result<double> meters = length_of(*text, length.option);
+            Result<double> meters = parse_length(*text, length.option);
             if (!meters) return pass_on(meters);
             plan.*length.to = *meters;
         }
@@ -132,56 +112,6 @@ Result<void> read_aim(const Arguments& arguments, const std::optional<TaskInput>
     return {};
 }
 
-// Of the first lamps: a number, or a group of EULUMDAT, which stands for its lowest.
-std::optional<double> declared_ra(const Profile& profile) {
-    std::string text;
-    if (const auto* ldt = std::get_if<LdtFile>(&profile.file)) {
-        if (!ldt->lamp_sets.empty()) text = ldt->lamp_sets.front().color_rendering;
-    } else if (const auto* tm33 = std::get_if<Tm33File>(&profile.file)) {
-        if (!tm33->emitters.empty()) return tm33->emitters.front().cri_ra;
-    }
-    constexpr std::array groups{Named{"1A", 90.0}, Named{"1B", 80.0}, Named{"2A", 70.0},
-                                Named{"2B", 60.0}, Named{"3", 40.0},  Named{"4", 20.0}};
-    std::string_view trimmed = text;
-    while (!trimmed.empty() && (trimmed.front() == ' ' || trimmed.front() == '>' || trimmed.front() == '='))
-        trimmed.remove_prefix(1);
-    while (!trimmed.empty() && trimmed.back() == ' ')
-        trimmed.remove_suffix(1);
-    for (const auto& group : groups)
-        if (trimmed == group.name) return group.value;
-    const std::optional<double> number = parse_number(trimmed);
-    return number && *number >= 20.0 && *number <= 100.0 ? number : std::nullopt;
-}
-
-Result<void> read_luminaire(const Arguments& arguments, RoomRequest& request, Diagnostics& diagnostics) {
-    ProfileShape profile;
-    profile.file = request.file;
-    profile.size = ProfileSize::declared; // near the plane a luminaire is no point
-    request.luminaire.shape = profile;
-    request.luminaire.name = "luminaire";
-    if (const auto text = arguments.value("--rotate")) {
-        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
-        if (!angle) return pass_on(angle);
-        request.luminaire.rotation = Radians(*angle);
-    }
-    if (const auto text = arguments.value("--flux")) {
-        Result<double> lumens = parse_amount(*text, Dimension::luminous_flux, "--flux");
-        if (!lumens) return pass_on(lumens);
-        request.flux = *text;
-        Result<PhotometricValue> value = parse_photometric_value(*text);
-        if (!value) return pass_on(value);
-        request.luminaire.intensity = *value;
-    }
-    ProfileInputOptions options;
-    options.photometric = true;
-    Result<LoadedProfile> loaded = load(request.file, options);
-    if (!loaded) return pass_on(loaded);
-    diagnostics = loaded->diagnostics;
-    request.ra = declared_ra(loaded->profile);
-    if (const double watts = header_of(loaded->profile).input_watts; watts > 0.0) request.input_w = watts;
-    return {};
-}
-
 } // namespace
 
 Result<RoomRequest> parse_room(const Arguments& arguments, Diagnostics& diagnostics) {
@@ -199,7 +129,7 @@ Result<RoomRequest> parse_room(const Arguments& arguments, Diagnostics& diagnost
         request.plan.reflectances = *reflectances;
     }
     if (const auto text = arguments.value("--maintenance")) {
-        Result<double> factor = factor_of(*text, "maintenance factor");
+        Result<double> factor = parse_factor(*text, "maintenance factor");
         if (!factor) return pass_on(factor);
         request.plan.maintenance_factor = *factor;
     }
@@ -213,10 +143,15 @@ Result<RoomRequest> parse_room(const Arguments& arguments, Diagnostics& diagnost
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     request.plan.threads = *threads;
-    const auto file = arguments.value("--luminaire");
-    if (!file) return fail("USE0104", "no luminaire is given", "add --luminaire FILE");
-    request.file = *file;
-    if (read = read_luminaire(arguments, request, diagnostics); !read) return pass_on(read);
+    // Near the plane a luminaire is no point.
+    Result<LuminaireInput> luminaire = luminaire_input(arguments, ProfileSize::declared, diagnostics);
+    if (!luminaire) return pass_on(luminaire);
+    request.luminaire = std::move(*luminaire);
+    if (const auto text = arguments.value("--rotate")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
+        if (!angle) return pass_on(angle);
+        request.luminaire.light.rotation = Radians(*angle);
+    }
     return request;
 }
 

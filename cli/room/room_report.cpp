@@ -26,8 +26,8 @@ std::string line(std::string_view name, const std::string& value) {
 
 // Of all luminaires [W/m²].
 std::optional<double> power_density(const RoomRequest& request, const RoomPlan& plan) {
-    if (!request.input_w) return std::nullopt;
-    return *request.input_w * static_cast<double>(plan.layout.count()) /
+    if (!request.luminaire.input_w) return std::nullopt;
+    return *request.luminaire.input_w * static_cast<double>(plan.layout.count()) /
            (request.plan.size_m.x * request.plan.size_m.y);
 }
 
@@ -63,9 +63,10 @@ std::string room_text(const RoomRequest& request, const RoomPlan& plan) {
                                       plan.grid.columns, plan.grid.rows, rounded(asked.maintenance_factor, 4)));
     text += line("UGR", observers_text(plan));
     if (const std::optional<double> density = power_density(request, plan))
-        text += line("power", fmt::format("{} W, {} W/m², {} W/m² per 100 lx",
-                                          rounded(*request.input_w * static_cast<double>(plan.layout.count()), 4),
-                                          rounded(*density, 3), rounded(100.0 * *density / lux.mean, 3)));
+        text +=
+            line("power", fmt::format("{} W, {} W/m², {} W/m² per 100 lx",
+                                      rounded(*request.luminaire.input_w * static_cast<double>(plan.layout.count()), 4),
+                                      rounded(*density, 3), rounded(100.0 * *density / lux.mean, 3)));
     if (request.task) text += verdicts_text(*request.task);
     return text;
 }
@@ -76,7 +77,7 @@ void judge(RoomRequest& request, const RoomPlan& plan) {
     reached.mean_lx = plan.spread.mean;
     reached.least_lx = plan.spread.least;
     reached.uniformity = plan.spread.uniformity();
-    reached.ra = request.ra;
+    reached.ra = request.luminaire.ra;
     if (plan.surfaces) {
         reached.cylindrical_lx = plan.surfaces->cylindrical_lx;
         reached.wall_lx = plan.surfaces->walls_lx;
@@ -124,7 +125,7 @@ Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnosti
     return {{"schema", "gonio.room/1"},
             {"room_m", Json::array({asked.size_m.x, asked.size_m.y, asked.size_m.z})},
             {"reflectances", to_text(asked.reflectances)},
-            {"luminaire", request.file},
+            {"luminaire", request.luminaire.file},
             {"layout", Json::array({plan.layout.columns, plan.layout.rows})},
             {"count", plan.layout.count()},
             {"spacing_m", Json::array({plan.spacing_m.x, plan.spacing_m.y})},
@@ -140,8 +141,9 @@ Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnosti
             {"uniformity", lux.uniformity()},
             {"diversity", lux.diversity()},
             {"observers", std::move(observers)},
-            {"input_W",
-             request.input_w ? Json(*request.input_w * static_cast<double>(plan.layout.count())) : Json(nullptr)},
+            {"input_W", request.luminaire.input_w
+                            ? Json(*request.luminaire.input_w * static_cast<double>(plan.layout.count()))
+                            : Json(nullptr)},
             {"W_per_m2", number_or_null(density)},
             {"W_per_m2_100lx", density ? Json(100.0 * *density / lux.mean) : Json(nullptr)},
             {"surfaces", plan.surfaces ? Json{{"walls_lx", plan.surfaces->walls_lx},
@@ -182,10 +184,10 @@ std::string room_rig(const RoomRequest& request, const RoomPlan& plan, const std
     surfaces.push_back(panel("wall", {0, -half.y, half.z}, {0, 1, 0}, up, size.x, size.z, walls));
     const bool has_opening = plan.lights.front().body != nullptr;
     Json light{{"name", "luminaire"}, {"shape", "ies:" + file + (has_opening ? ",opening" : "")}};
-    if (!request.flux.empty()) light["intensity"] = request.flux;
+    if (!request.luminaire.flux.empty()) light["intensity"] = request.luminaire.flux;
     light["position"] = Json::array({0.0, 0.0, plan.lights.front().frame.origin.z});
-    if (request.luminaire.rotation.value != 0.0)
-        light["rotate"] = shortest(to_degrees(request.luminaire.rotation)) + "deg";
+    if (request.luminaire.light.rotation.value != 0.0)
+        light["rotate"] = shortest(to_degrees(request.luminaire.light.rotation)) + "deg";
     light["array"] = {{"count", Json::array({plan.layout.columns, plan.layout.rows})},
                       {"room", Json::array({size.x, size.y})}};
     const Json rig{{"schema", "gonio.rig/1"},

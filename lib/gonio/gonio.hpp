@@ -27,12 +27,15 @@
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/figures/box_room.hpp>
+#include <gonio/figures/disability_glare.hpp>
 #include <gonio/figures/figure.hpp>
 #include <gonio/figures/glare.hpp>
 #include <gonio/figures/luminaire_figures.hpp>
 #include <gonio/figures/luminances.hpp>
 #include <gonio/figures/outdoor_classes.hpp>
 #include <gonio/figures/position_index.hpp>
+#include <gonio/figures/road_plan.hpp>
+#include <gonio/figures/road_surface.hpp>
 #include <gonio/figures/room_plan.hpp>
 #include <gonio/figures/tasks.hpp>
 #include <gonio/figures/ugr_table.hpp>

@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* en_12464_2021 = "EN 12464-1:2021";
 constexpr const char* en_12464_2011 = "EN 12464-1:2011";
+constexpr const char* en_12193_2007 = "EN 12193:2007";
 constexpr const char* en_13201_2015 = "EN 13201-2:2015";
 
 Task indoor(const char* name, const char* title, double mean_lx, double raised_lx, double uniformity, double ra,
@@ -29,12 +30,35 @@ Task indoor_2011(const char* name, const char* title, double mean_lx, double ugr
     return {name, title, en_12464_2011, mean_lx, {}, {}, uniformity, ugr, ra};
 }
 
-Task road_c(const char* name, double mean_lx) {
-    return {name, "conflict area of motorised traffic", en_13201_2015, mean_lx, {}, {}, 0.4};
+Task road_m(const char* name, double mean_nt, double uniformity, double longitudinal, double ti_percent,
+            double edge_ratio) {
+    Task task{name, "motorised traffic", en_13201_2015};
+    task.mean_nt = mean_nt;
+    task.luminance_uniformity = uniformity;
+    task.longitudinal_uniformity = longitudinal;
+    task.ti_percent = ti_percent;
+    task.edge_ratio = edge_ratio;
+    return task;
 }
 
-Task road_p(const char* name, double mean_lx, double least_lx) {
-    return {name, "pedestrians and slow traffic", en_13201_2015, mean_lx, {}, least_lx};
+Task road_c(const char* name, double mean_lx, double ti_percent) {
+    Task task{name, "conflict area of motorised traffic", en_13201_2015, mean_lx, {}, {}, 0.4};
+    task.ti_percent = ti_percent;
+    return task;
+}
+
+Task road_p(const char* name, double mean_lx, double least_lx, double ti_percent) {
+    Task task{name, "pedestrians and slow traffic", en_13201_2015, mean_lx, {}, least_lx};
+    task.greatest_mean_lx = 1.5 * mean_lx;
+    task.ti_percent = ti_percent;
+    return task;
+}
+
+Task sport(const char* name, const char* title, double mean_lx, double uniformity, double ra,
+           std::optional<double> gr = {}) {
+    Task task{name, title, en_12193_2007, mean_lx, {}, {}, uniformity, {}, ra};
+    task.gr = gr;
+    return task;
 }
 
 const std::array known{
@@ -48,18 +72,33 @@ const std::array known{
     indoor_2011("traffic.stairs", "stairs, escalators", 100, 25, 0.4, 40),
     indoor_2011("school.classroom", "classrooms", 300, 19, 0.6, 80),
     indoor_2011("school.lecture-hall", "lecture halls", 500, 19, 0.6, 80),
-    road_c("road.c0", 50),
-    road_c("road.c1", 30),
-    road_c("road.c2", 20),
-    road_c("road.c3", 15),
-    road_c("road.c4", 10),
-    road_c("road.c5", 7.5),
-    road_p("road.p1", 15, 3),
-    road_p("road.p2", 10, 2),
-    road_p("road.p3", 7.5, 1.5),
-    road_p("road.p4", 5, 1),
-    road_p("road.p5", 3, 0.6),
-    road_p("road.p6", 2, 0.4),
+    road_m("road.m1", 2.0, 0.4, 0.7, 10, 0.35),
+    road_m("road.m2", 1.5, 0.4, 0.7, 10, 0.35),
+    road_m("road.m3", 1.0, 0.4, 0.6, 15, 0.3),
+    road_m("road.m4", 0.75, 0.4, 0.6, 15, 0.3),
+    road_m("road.m5", 0.5, 0.35, 0.4, 15, 0.3),
+    road_m("road.m6", 0.3, 0.35, 0.4, 20, 0.3),
+    road_c("road.c0", 50, 10),
+    road_c("road.c1", 30, 10),
+    road_c("road.c2", 20, 15),
+    road_c("road.c3", 15, 15),
+    road_c("road.c4", 10, 15),
+    road_c("road.c5", 7.5, 20),
+    road_p("road.p1", 15, 3, 20),
+    road_p("road.p2", 10, 2, 25),
+    road_p("road.p3", 7.5, 1.5, 25),
+    road_p("road.p4", 5, 1, 30),
+    road_p("road.p5", 3, 0.6, 30),
+    road_p("road.p6", 2, 0.4, 35),
+    sport("sports.football.i", "football outdoors, international and national matches", 500, 0.7, 60, 50),
+    sport("sports.football.ii", "football outdoors, regional and local matches", 200, 0.6, 60, 50),
+    sport("sports.football.iii", "football outdoors, training, school, leisure", 75, 0.5, 20, 55),
+    sport("sports.tennis.i", "tennis outdoors, international and national matches", 500, 0.7, 60, 50),
+    sport("sports.tennis.ii", "tennis outdoors, regional and local matches", 300, 0.7, 60, 50),
+    sport("sports.tennis.iii", "tennis outdoors, training, school, leisure", 200, 0.6, 20, 55),
+    sport("sports.hall-ball.i", "ball games in halls, international and national matches", 750, 0.7, 60),
+    sport("sports.hall-ball.ii", "ball games in halls, regional and local matches", 500, 0.7, 60),
+    sport("sports.hall-ball.iii", "ball games in halls, training, school, leisure", 200, 0.5, 20),
 };
 
 // The numbers of a task, and what is said of each.
@@ -67,22 +106,32 @@ struct Requirement {
     std::string_view key;
     std::string_view what;
     std::string_view unit;
+    int decimals; // of lux below 10 one more
     std::optional<double> Task::*required;
     std::optional<double> ReachedLight::*reached; // nullptr: compared under another name
     bool is_limit;
 };
 
+using R = ReachedLight;
 constexpr std::array requirements{
-    Requirement{"mean_lx", "mean illuminance", "lx", &Task::mean_lx, &ReachedLight::mean_lx, false},
-    Requirement{"raised_mean_lx", "raised mean illuminance", "lx", &Task::raised_mean_lx, nullptr, false},
-    Requirement{"least_lx", "least illuminance", "lx", &Task::least_lx, &ReachedLight::least_lx, false},
-    Requirement{"uniformity", "uniformity U0", "", &Task::uniformity, &ReachedLight::uniformity, false},
-    Requirement{"ugr", "UGR", "", &Task::ugr, &ReachedLight::ugr, true},
-    Requirement{"ra", "colour rendering Ra", "", &Task::ra, &ReachedLight::ra, false},
-    Requirement{"cylindrical_lx", "cylindrical illuminance", "lx", &Task::cylindrical_lx, &ReachedLight::cylindrical_lx,
-                false},
-    Requirement{"wall_lx", "illuminance of the walls", "lx", &Task::wall_lx, &ReachedLight::wall_lx, false},
-    Requirement{"ceiling_lx", "illuminance of the ceiling", "lx", &Task::ceiling_lx, &ReachedLight::ceiling_lx, false},
+    Requirement{"mean_lx", "mean illuminance", "lx", 0, &Task::mean_lx, &R::mean_lx, false},
+    Requirement{"raised_mean_lx", "raised mean illuminance", "lx", 0, &Task::raised_mean_lx, nullptr, false},
+    Requirement{"greatest_mean_lx", "mean illuminance", "lx", 0, &Task::greatest_mean_lx, &R::mean_lx, true},
+    Requirement{"least_lx", "least illuminance", "lx", 0, &Task::least_lx, &R::least_lx, false},
+    Requirement{"uniformity", "uniformity U0", "", 2, &Task::uniformity, &R::uniformity, false},
+    Requirement{"mean_nt", "mean luminance", "cd/m²", 2, &Task::mean_nt, &R::mean_nt, false},
+    Requirement{"luminance_uniformity", "uniformity U0 of luminance", "", 2, &Task::luminance_uniformity,
+                &R::luminance_uniformity, false},
+    Requirement{"longitudinal_uniformity", "longitudinal uniformity Ul", "", 2, &Task::longitudinal_uniformity,
+                &R::longitudinal_uniformity, false},
+    Requirement{"ti_percent", "threshold increment TI", "%", 0, &Task::ti_percent, &R::ti_percent, true},
+    Requirement{"edge_ratio", "edge illuminance ratio", "", 2, &Task::edge_ratio, &R::edge_ratio, false},
+    Requirement{"gr", "glare rating GR", "", 1, &Task::gr, &R::gr, true},
+    Requirement{"ugr", "UGR", "", 1, &Task::ugr, &R::ugr, true},
+    Requirement{"ra", "colour rendering Ra", "", 0, &Task::ra, &R::ra, false},
+    Requirement{"cylindrical_lx", "cylindrical illuminance", "lx", 0, &Task::cylindrical_lx, &R::cylindrical_lx, false},
+    Requirement{"wall_lx", "illuminance of the walls", "lx", 0, &Task::wall_lx, &R::wall_lx, false},
+    Requirement{"ceiling_lx", "illuminance of the ceiling", "lx", 0, &Task::ceiling_lx, &R::ceiling_lx, false},
 };
 
 // Texts of a task.
@@ -202,10 +251,9 @@ private:
     std::vector<Task> tasks_;
 };
 
-// As it is stated: the decimals by which it is compared.
-double as_stated(double value, std::string_view key) {
-    const double steps = key == "uniformity" ? 100.0 : key == "ugr" || value < 10.0 ? 10.0 : 1.0;
-    return std::round(value * steps) / steps;
+// The decimals by which a value is stated.
+int decimals_of(const Requirement& requirement, double value) {
+    return requirement.decimals + (requirement.unit == "lx" && value < 10.0 ? 1 : 0);
 }
 
 } // namespace
@@ -226,7 +274,8 @@ Result<std::vector<Task>> parse_tasks(std::string_view text, const std::string& 
 
 std::optional<bool> Verdict::passes() const {
     if (!reached) return std::nullopt;
-    const double stated = as_stated(*reached, key);
+    const double steps = std::pow(10.0, decimals);
+    const double stated = std::round(*reached * steps) / steps;
     return is_limit ? stated <= required : stated >= required;
 }
 
@@ -238,7 +287,8 @@ std::vector<Verdict> verdicts(const Task& task, const ReachedLight& reached, boo
         if (raised && requirement.required == &Task::mean_lx && task.raised_mean_lx) required = task.raised_mean_lx;
         if (!required) continue;
         all.push_back({requirement.key, requirement.what, requirement.unit, *required, requirement.is_limit,
-                       reached.*requirement.reached});
+                       reached.*requirement.reached,
+                       decimals_of(requirement, (reached.*requirement.reached).value_or(*required))});
     }
     return all;
 }

@@ -29,6 +29,13 @@ struct Task {
     std::optional<double> cylindrical_lx{};
     std::optional<double> wall_lx{};
     std::optional<double> ceiling_lx{};
+    std::optional<double> greatest_mean_lx{};        // a mean of more is another class
+    std::optional<double> mean_nt{};                 // of a road's surface [cd/m²]
+    std::optional<double> luminance_uniformity{};    // least/mean
+    std::optional<double> longitudinal_uniformity{}; // least/greatest along a lane
+    std::optional<double> ti_percent{};              // threshold increment, at most
+    std::optional<double> edge_ratio{};              // edge illuminance ratio
+    std::optional<double> gr{};                      // glare rating of sports outdoors, at most
 };
 
 // The table of the library.
@@ -49,19 +56,27 @@ struct ReachedLight {
     std::optional<double> cylindrical_lx{};
     std::optional<double> wall_lx{};
     std::optional<double> ceiling_lx{};
+    std::optional<double> mean_nt{}; // of the lane that has the least, and so on
+    std::optional<double> luminance_uniformity{};
+    std::optional<double> longitudinal_uniformity{};
+    std::optional<double> ti_percent{};
+    std::optional<double> edge_ratio{};
+    std::optional<double> gr{};
 };
 
 // One requirement and what was reached.
 struct Verdict {
     std::string_view key;  // "mean_lx"
     std::string_view what; // "mean illuminance"
-    std::string_view unit; // "lx"; empty for ratios and indices
+    std::string_view unit; // "lx", "cd/m²", "%"; empty for ratios and indices
     double required = 0.0;
     bool is_limit = false; // at most, else at least
     std::optional<double> reached{};
 
-    // Whether it is met; empty where nothing is known. Figures are compared as they are stated: lux from 10 on and Ra
-    // as whole numbers, UGR and fewer lux to one decimal, uniformities to two.
+    int decimals = 0; // by which it is stated
+
+    // Whether it is met; empty where nothing is known. Figures are compared as they are stated: lux from 10 on, Ra and
+    // threshold increments as whole numbers, UGR, GR and fewer lux to one decimal, luminances and ratios to two.
     std::optional<bool> passes() const;
 };
 

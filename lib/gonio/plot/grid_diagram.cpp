@@ -84,11 +84,11 @@ std::pair<int, int> page_size(const GridPlot& plot, std::size_t letters, double 
                                  (usual_most_px - furniture_height_px - above_px) / plot.height_m);
     const double least = (480.0 - furniture_width_px) / std::max(plot.width_m, plot.height_m);
     const double px_per_m = std::min(std::max(wanted, least), most);
-    const auto side = [](double px) {
-        return static_cast<int>(std::clamp(std::ceil(px), 320.0, double{usual_most_px}));
+    const auto side = [](double px, double at_least_px) {
+        return static_cast<int>(std::clamp(std::ceil(px), at_least_px, double{usual_most_px}));
     };
-    return {side(px_per_m * plot.width_m + furniture_width_px),
-            side(px_per_m * plot.height_m + furniture_height_px + above_px)};
+    return {side(px_per_m * plot.width_m + furniture_width_px, 320.0),
+            side(px_per_m * plot.height_m + furniture_height_px + above_px, 200.0)};
 }
 
 PagePath path_of(const Chart& chart, const ContourLine& line) {

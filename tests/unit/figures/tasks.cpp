@@ -51,9 +51,20 @@ TEST(Tasks, OfRoadsHaveALeastIlluminance) {
     reached.mean_lx = 7.5;
     reached.least_lx = 1.44;
     const std::vector<Verdict> all = verdicts(task_named("road.p3"), reached);
-    ASSERT_EQ(all.size(), 2);
+    ASSERT_EQ(all.size(), 4);
     EXPECT_EQ(all[0].passes(), true);
-    EXPECT_EQ(all[1].passes(), false);
+    EXPECT_TRUE(all[1].is_limit); // a mean of more than 1.5 times is another class
+    EXPECT_EQ(all[1].passes(), true);
+    EXPECT_EQ(all[2].passes(), false);
+    EXPECT_EQ(all[3].passes(), std::nullopt);
+    reached.mean_lx = 11.6;
+    EXPECT_EQ(verdicts(task_named("road.p3"), reached)[1].passes(), false);
+    reached.ti_percent = 25.4;
+    EXPECT_EQ(verdicts(task_named("road.p3"), reached)[3].passes(), true);
+    reached.mean_nt = 0.744;
+    EXPECT_EQ(verdicts(task_named("road.m4"), reached)[0].passes(), false);
+    reached.mean_nt = 0.746;
+    EXPECT_EQ(verdicts(task_named("road.m4"), reached)[0].passes(), true);
 }
 
 TEST(Tasks, AreReadFromATable) {
