@@ -16,6 +16,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The r-table of a surface.
 struct RoadSurface {
     std::string name;                // "r3", or that of a file
     std::string title;               // "asphalt, rather glossy"

@@ -103,7 +103,8 @@ TEST(ReceiverGrid, WallsOfAStage) {
     EXPECT_EQ(beyond_height(make_stage("room").value(), -0.1)->name, "floor");
 }
 
-// A football pitch of 105 m by 68 m: p = 5.17 m, 20.3 and 13.2 cells. A tennis court has the spacing of its longer side.
+// A football pitch of 105 m by 68 m: p = 5.17 m, 20.3 and 13.2 cells. A tennis court has the spacing of its longer
+// side.
 TEST(ReceiverGrid, OfSportsIsOdd) {
     const GridSpacing sports{{}, true};
     const ReceiverGrid pitch = parallelogram_grid({}, {105, 0, 0}, {0, 68, 0}, sports, {0, 0, 1}, 1000).value();
