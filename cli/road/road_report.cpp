@@ -1,8 +1,11 @@
 #include "road_report.hpp"
 
 #include <gonio/base/unit_text.hpp>
+#include <gonio/scene/primitives.hpp>
+#include <gonio/scene/stage.hpp>
 
 #include "../facts_text.hpp"
+#include "../rig_surfaces.hpp"
 
 #include <fmt/format.h>
 
@@ -49,8 +52,10 @@ std::string lane_text(const RoadLane& lane) {
                        lane.ti_percent ? fmt::format("{:.1f} %", *lane.ti_percent) : std::string("not defined"));
 }
 
+// Without what sines and cosines leave of a zero.
 Json vector_json(const glm::dvec3& value) {
-    return Json::array({value.x, value.y, value.z});
+    const auto clean = [](double x) { return std::abs(x) < 1e-15 ? 0.0 : x; };
+    return Json::array({clean(value.x), clean(value.y), clean(value.z)});
 }
 
 Json points_json(const ReceiverGrid& grid) {
@@ -151,26 +156,21 @@ std::string road_rig(const RoadRequest& request, const RoadPlan& plan, const std
         lights.push_back(std::move(row));
     }
     const double strip_m = asked.width_m / static_cast<double>(asked.lanes);
-    const auto panel = [&](std::string_view name, double low_m, double width_m, double albedo) {
-        return Json{{"name", name},
-                    {"panel",
-                     {{"center", vector_json({0.0, low_m + 0.5 * width_m, 0.0})},
-                      {"normal", vector_json({0.0, 0.0, 1.0})},
-                      {"up", vector_json({0.0, 1.0, 0.0})},
-                      {"width", shortest(length_m) + "m"},
-                      {"height", shortest(width_m) + "m"}}},
-                    {"material", fmt::format("lambert:albedo={}", shortest(albedo))}};
-    };
-    // Matte, of the same average luminance coefficient: it has no gloss along the road.
+    // The road is matte, of the same average luminance coefficient: it has no gloss along it.
     const double albedo = std::min(0.9, std::numbers::pi * asked.surface.average.value_or(0.07));
-    Json surfaces = Json::array();
-    surfaces.push_back(panel("road", 0.0, asked.width_m, std::round(1e4 * albedo) / 1e4));
-    surfaces.push_back(panel("verge", -strip_m, strip_m, 0.15));
-    surfaces.push_back(panel("verge", asked.width_m, strip_m, 0.15));
+    constexpr double verge_albedo = 0.15;
+    const auto strip = [&](const char* name, double low_m, double width_m, double reflectance) {
+        return Surface{
+            name, panel_facing({0.0, low_m + 0.5 * width_m, 0.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, length_m, width_m),
+            LambertMaterial{glm::dvec3(std::round(1e4 * reflectance) / 1e4)}};
+    };
+    Stage stage;
+    stage.surfaces = {strip("road", 0.0, asked.width_m, albedo), strip("verge", -strip_m, strip_m, verge_albedo),
+                      strip("verge", asked.width_m, strip_m, verge_albedo)};
     const Json rig{{"schema", "gonio.rig/1"},
                    {"maintenance", asked.maintenance_factor},
                    {"lights", std::move(lights)},
-                   {"stage", {{"name", "road"}, {"surfaces", std::move(surfaces)}}},
+                   {"stage", {{"name", "road"}, {"surfaces", panels_json(stage)}}},
                    {"camera",
                     {{"position", vector_json({-0.9 * plan.spacing_m, 0.5 * strip_m, 1.5})},
                      {"target", vector_json({plan.spacing_m, 0.5 * asked.width_m, 0.5})}}}};

@@ -4,6 +4,7 @@
 
 #include "../facts_text.hpp"
 #include "../options/glare_text.hpp"
+#include "../rig_surfaces.hpp"
 
 #include <fmt/format.h>
 
@@ -158,30 +159,6 @@ Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnosti
 std::string room_rig(const RoomRequest& request, const RoomPlan& plan, const std::string& file) {
     const RoomPlanRequest& asked = request.plan;
     const glm::dvec3& size = asked.size_m;
-    const auto matte = [](double albedo) { return fmt::format("lambert:albedo={}", shortest(albedo)); };
-    const auto panel = [](std::string_view name, const glm::dvec3& center, const glm::dvec3& normal,
-                          const glm::dvec3& up, double width_m, double height_m, const std::string& material) {
-        const auto vector = [](const glm::dvec3& value) { return Json::array({value.x, value.y, value.z}); };
-        return Json{{"name", name},
-                    {"panel",
-                     {{"center", vector(center)},
-                      {"normal", vector(normal)},
-                      {"up", vector(up)},
-                      {"width", shortest(width_m) + "m"},
-                      {"height", shortest(height_m) + "m"}}},
-                    {"material", material}};
-    };
-    const glm::dvec3 half = 0.5 * size;
-    const std::string walls = matte(asked.reflectances.walls);
-    const glm::dvec3 up(0.0, 0.0, 1.0);
-    Json surfaces = Json::array();
-    surfaces.push_back(panel("floor", {0, 0, 0}, up, {0, 1, 0}, size.x, size.y, matte(asked.reflectances.floor)));
-    surfaces.push_back(
-        panel("ceiling", {0, 0, size.z}, -up, {0, 1, 0}, size.x, size.y, matte(asked.reflectances.ceiling)));
-    surfaces.push_back(panel("wall", {-half.x, 0, half.z}, {1, 0, 0}, up, size.y, size.z, walls));
-    surfaces.push_back(panel("wall", {half.x, 0, half.z}, {-1, 0, 0}, up, size.y, size.z, walls));
-    surfaces.push_back(panel("wall", {0, half.y, half.z}, {0, -1, 0}, up, size.x, size.z, walls));
-    surfaces.push_back(panel("wall", {0, -half.y, half.z}, {0, 1, 0}, up, size.x, size.z, walls));
     const bool has_opening = plan.lights.front().body != nullptr;
     Json light{{"name", "luminaire"}, {"shape", "ies:" + file + (has_opening ? ",opening" : "")}};
     if (!request.luminaire.flux.empty()) light["intensity"] = request.luminaire.flux;
@@ -193,7 +170,7 @@ std::string room_rig(const RoomRequest& request, const RoomPlan& plan, const std
     const Json rig{{"schema", "gonio.rig/1"},
                    {"maintenance", asked.maintenance_factor},
                    {"lights", Json::array({std::move(light)})},
-                   {"stage", {{"name", "room"}, {"surfaces", std::move(surfaces)}}}};
+                   {"stage", {{"name", "room"}, {"surfaces", panels_json(plan.stage)}}}};
     return dump(rig, 2);
 }
 
