@@ -75,8 +75,9 @@ set(CPACK_DEBIAN_MODULES_PACKAGE_NAME gonio-media)
 set(CPACK_DEBIAN_MODULES_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_MODULES_PACKAGE_ENHANCES "gonio, ${library_package}")
 set(CPACK_COMPONENT_MODULES_DESCRIPTION "photometric lights: pictures and display transforms
-Modules that gonio loads when it writes or reads a picture (OpenImageIO) or
-applies a display transform or a colour configuration (OpenColorIO).
+Modules that gonio loads when it writes PNG or OpenEXR (libpng, OpenEXR),
+reads a picture or writes other formats (OpenImageIO), or applies a display
+transform or a colour configuration (OpenColorIO).
 
 gonio works without them where only numbers are wanted.")
 

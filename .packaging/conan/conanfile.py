@@ -48,6 +48,8 @@ class GonioConan(ConanFile):
         if self.options.modules:
             self.requires("openimageio/[>=2.4 <3]")
             self.requires("opencolorio/[>=2.1 <3]")
+            self.requires("openexr/[>=3.1 <4]")
+            self.requires("libpng/[>=1.6 <2]")
 
     def validate(self):
         check_min_cppstd(self, 20)

@@ -2,6 +2,8 @@
 # Checks that a program starts without OpenImageIO and OpenColorIO.
 #
 #   linkage.sh PROGRAM [ARGUMENT…]   fails when PROGRAM needs either, or when running it as given opens either
+#
+# What is printed is thrown away: a picture may go to standard output.
 set -euo pipefail
 
 program=${1:?"usage: linkage.sh PROGRAM [ARGUMENT…]"}

@@ -187,6 +187,17 @@ std::vector<ImageAttribute> all_attributes(const ImageFormat& format, const Imag
     return all;
 }
 
+// The module that writes the format: that of PNG and OpenEXR, where it is there and has the compression.
+Result<const abi::ImageModule*> writer_of(const ImageFormat& format, const ImageWriteOptions& options) {
+    constexpr std::array<std::string_view, 6> quick_compressions{"", "none", "rle", "zip", "zips", "piz"};
+    const bool is_quick =
+        format.name == "png" || (format.name == "exr" && std::find(quick_compressions.begin(), quick_compressions.end(),
+                                                                   options.compression) != quick_compressions.end());
+    if (is_quick)
+        if (Result<const abi::ImageModule*> module = detail::writers_module()) return module;
+    return detail::image_module();
+}
+
 ImageAttribute from_abi(const abi::Attribute& attribute) {
     ImageAttribute result{attribute.name, {}};
     if (attribute.kind == abi::attribute_floats)
@@ -261,7 +272,7 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
         kept = dithered(image, pixel == Pixel::uint8 ? 255 : 65535);
         pixels = kept.data();
     }
-    Result<const abi::ImageModule*> module = detail::image_module();
+    Result<const abi::ImageModule*> module = writer_of(format, options);
     if (!module) return pass_on(module);
 
     const std::vector<std::string> names =

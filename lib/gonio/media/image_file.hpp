@@ -5,8 +5,9 @@
 // kinds map [0, 1] to their full range, rounded and clipped. Equal input gives equal bytes: they do not depend on the
 // clock, the host name or the thread count.
 //
-// Everything here opens the module gonio-image.so (see module.hpp) and fails (unsupported) without it. The first call
-// of a process takes about 0.3 s, most of it to load OpenImageIO. Safe to call from any thread.
+// PNG and OpenEXR are written by the module gonio-writers.so (see module.hpp), which opens in milliseconds. Everything
+// else opens gonio-image.so and fails (unsupported) without it; its first call in a process takes about 0.3 s, most of
+// it to load OpenImageIO. Safe to call from any thread.
 #pragma once
 
 #include <gonio/base/image.hpp>

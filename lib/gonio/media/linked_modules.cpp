@@ -20,6 +20,10 @@ Result<const abi::ImageModule*> image_module() {
     return static_cast<const abi::ImageModule*>(gonio_image_module());
 }
 
+Result<const abi::ImageModule*> writers_module() {
+    return image_module();
+}
+
 Result<const abi::ColorModule*> color_module() {
     return static_cast<const abi::ColorModule*>(gonio_color_module());
 }

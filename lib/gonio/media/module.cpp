@@ -21,6 +21,7 @@ struct State {
     std::mutex mutex;
     std::vector<std::string> folders;
     const void* image = nullptr;
+    const void* writers = nullptr;
     const void* color = nullptr;
 };
 
@@ -135,6 +136,12 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
 
 Result<const abi::ImageModule*> image_module() {
     return open_once(&State::image, image_module_name).map([](const void* table) {
+        return static_cast<const abi::ImageModule*>(table);
+    });
+}
+
+Result<const abi::ImageModule*> writers_module() {
+    return open_once(&State::writers, writers_module_name).map([](const void* table) {
         return static_cast<const abi::ImageModule*>(table);
     });
 }

@@ -20,8 +20,8 @@ const Diagnostic& reason(const Result<const void*>& result) {
     return result.error().diagnostics.back();
 }
 
-TEST(MediaModule, BothOpenFromTheirFolder) {
-    for (const auto& name : {image_module_name, color_module_name}) {
+TEST(MediaModule, AllOpenFromTheirFolder) {
+    for (const auto& name : {image_module_name, detail::writers_module_name, color_module_name}) {
         const auto table = open_module(name, {"/nonexistent", test::modules_folder});
         ASSERT_TRUE(table) << reason(table).message;
         EXPECT_NE(*table, nullptr);

@@ -22,6 +22,8 @@ struct ModuleName {
 
 inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_module", abi::image_version,
                                               "OpenImageIO",    "libopenimageio2.4",  4};
+inline constexpr ModuleName writers_module_name{"gonio-writers.so", "gonio_writers_module", abi::image_version,
+                                                "libpng and OpenEXRCore", "libpng16-16 and libopenexr-3-1-30"};
 inline constexpr ModuleName color_module_name{"gonio-color.so", "gonio_color_module", abi::color_version, "OpenColorIO",
                                               "libopencolorio2.1"};
 
@@ -32,6 +34,8 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
 
 // Opened on the first call, from module_folders(); later calls cost a lock. A failure is not cached.
 Result<const abi::ImageModule*> image_module();
+// PNG and OpenEXR alone, and only to write them: it opens in milliseconds.
+Result<const abi::ImageModule*> writers_module();
 Result<const abi::ColorModule*> color_module();
 
 // Why a module's function failed, by its abi::Status.

@@ -1,3 +1,4 @@
+#include <gonio/media/image/exr_names.hpp>
 #include <gonio/media/image/exr_writer.hpp>
 
 #include <algorithm>
@@ -40,14 +41,6 @@ void put_attribute(Bytes& to, std::string_view name, std::string_view type, T...
     Bytes bytes;
     (put(bytes, values), ...);
     put_attribute(to, name, type, bytes);
-}
-
-// The names of OpenEXR's own attributes, as OpenImageIO writes them.
-std::string_view exr_name(std::string_view name) {
-    if (name == "ImageDescription") return "comments";
-    if (name == "DateTime") return "capDate";
-    if (name == "Copyright") return "owner";
-    return name;
 }
 
 void put_custom(Bytes& to, const abi::Attribute& attribute) {
