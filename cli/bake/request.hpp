@@ -33,7 +33,7 @@ inline constexpr std::array bake_options{
     Option{"--pixel", "KIND", "pixel type: float, half, uint16, uint8 (float if the format has it)"},
     Option{"--sidecar", "FILE", "write the JSON sidecar to this file (OUTPUT.json)"},
     Option{"--no-sidecar", "", "write no sidecar"},
-    Option{"--stats", "", "print how many texels were evaluated and the time"},
+    Option{"--stats", "", "print how many texels were evaluated, the time, and the modules opened"},
     Option{"--no-skip", "", "evaluate every texel, mirrored and dark ones too; the texture is the same"},
 };
 

@@ -8,6 +8,7 @@
 #include <gonio/base/json_text.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/base/version.hpp>
+#include <gonio/media/module.hpp>
 #include <gonio/media/texel_pixel.hpp>
 #include <gonio/web/metrics.hpp>
 
@@ -16,6 +17,7 @@
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -103,9 +105,11 @@ Result<Texture> baked(const Web& web, const BakeOptions& options, const std::opt
 
 std::string stats_line(const std::string& input, const Texture& texture, double read_ms, double bake_ms) {
     const auto left_out = static_cast<double>(texture.texels - texture.evaluated);
-    return fmt::format("{}: {} of {} texels evaluated, {:.1f} % left out; read in {:.2f} ms, baked in {:.2f} ms\n",
+    return fmt::format("{}: {} of {} texels evaluated, {:.1f} % left out; read in {:.2f} ms, baked in {:.2f} ms, "
+                       "modules opened: {}\n",
                        input, texture.evaluated, texture.texels,
-                       100.0 * left_out / std::max(1.0, static_cast<double>(texture.texels)), read_ms, bake_ms);
+                       100.0 * left_out / std::max(1.0, static_cast<double>(texture.texels)), read_ms, bake_ms,
+                       fmt::join(media::opened_modules(), ", "));
 }
 
 // Whether the picture matches its sidecar. Another gonio may have been killed between writing the two, or may have
@@ -239,7 +243,8 @@ Result<Made> make_texture(const TextureJob& job, ReportKind kind) {
             made.outcome.report["stats"] = {{"texels", texture->texels},
                                             {"evaluated", texture->evaluated},
                                             {"read_ms", read_ms},
-                                            {"bake_ms", bake_ms}};
+                                            {"bake_ms", bake_ms},
+                                            {"modules", media::opened_modules()}};
         made.outcome.report["diagnostics"] = diagnostics_json(loaded->diagnostics);
     }
     made.outcome.diagnostics = std::move(loaded->diagnostics);

@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/media/module.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/preview/ticks.hpp>
@@ -234,11 +235,11 @@ Result<int> preview(const Arguments& arguments, Console& console) {
             report["reference"] = {{"passes", pictured->passes},
                                    {"error_estimate", pictured->error_estimate},
                                    {"complete", !pictured->interrupted}};
-        if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
+        if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms, media::opened_modules());
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {
         // If the picture goes to stdout, the statistics go to stderr.
-        const std::string text = stats_text(stats, render_ms);
+        const std::string text = stats_text(stats, render_ms, media::opened_modules());
         if (request->output == "-")
             console.note(text);
         else

@@ -56,7 +56,7 @@ inline constexpr std::array preview_method_options{
     Option{"--bounces,--indirect", "N",
            "how often light bounces between the surfaces of the stage: a number, all (the default) or off; also in "
            "exported scenes"},
-    Option{"--stats", "", "print what was skipped because no light reaches it"},
+    Option{"--stats", "", "print what was skipped because no light reaches it, the time, and the modules opened"},
     Option{"--no-skip", "", "evaluate every light at every point; the picture is the same"},
 };
 

@@ -1,6 +1,7 @@
 #include "stats.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstddef>
 
@@ -18,7 +19,7 @@ std::string line(const char* what, std::size_t part, std::size_t whole) {
 
 } // namespace
 
-std::string stats_text(const RenderStats& stats, double milliseconds) {
+std::string stats_text(const RenderStats& stats, double milliseconds, const std::vector<std::string>& modules) {
     std::string text = fmt::format("{} lights ({} without flux, {} with a web looked up by gamma alone), {} tiles, {} "
                                    "surface points\n",
                                    stats.lights, stats.dark_lights, stats.axial_webs, stats.tiles, stats.samples);
@@ -34,10 +35,12 @@ std::string stats_text(const RenderStats& stats, double milliseconds) {
     text += fmt::format("  {:<34}{:>14}\n", "shadow tests done", stats.shadow_tested);
     text += line("found a part of a light hidden", stats.in_penumbra, stats.shadow_tested);
     text += fmt::format("  {:<34}{:>14.1f} ms\n", "time", milliseconds);
+    text += fmt::format("  {:<34}{}\n", "modules opened",
+                        modules.empty() ? "none" : fmt::format("{}", fmt::join(modules, ", ")));
     return text;
 }
 
-Json stats_json(const RenderStats& stats, double milliseconds) {
+Json stats_json(const RenderStats& stats, double milliseconds, const std::vector<std::string>& modules) {
     return {{"time_ms", milliseconds},
             {"lights", stats.lights},
             {"dark_lights", stats.dark_lights},
@@ -55,7 +58,8 @@ Json stats_json(const RenderStats& stats, double milliseconds) {
             {"skipped_below_horizon", stats.below_horizon},
             {"skipped_in_shadow", stats.in_shadow},
             {"shadow_tested", stats.shadow_tested},
-            {"in_penumbra", stats.in_penumbra}};
+            {"in_penumbra", stats.in_penumbra},
+            {"modules", modules}};
 }
 
 } // namespace gonio::cli

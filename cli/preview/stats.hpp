@@ -6,11 +6,12 @@
 #include "../json_text.hpp"
 
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
-// `milliseconds`: how long the rendering took.
-std::string stats_text(const RenderStats& stats, double milliseconds);
-Json stats_json(const RenderStats& stats, double milliseconds);
+// `milliseconds`: how long the rendering took; `modules`: what was opened to write the picture.
+std::string stats_text(const RenderStats& stats, double milliseconds, const std::vector<std::string>& modules);
+Json stats_json(const RenderStats& stats, double milliseconds, const std::vector<std::string>& modules);
 
 } // namespace gonio::cli

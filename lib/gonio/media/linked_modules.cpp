@@ -14,6 +14,10 @@ std::vector<std::string> module_folders() {
     return {};
 }
 
+std::vector<std::string> opened_modules() {
+    return {};
+}
+
 namespace detail {
 
 Result<const abi::ImageModule*> image_module() {

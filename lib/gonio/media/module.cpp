@@ -79,6 +79,16 @@ std::vector<std::string> module_folders() {
     return search_path(shared.folders);
 }
 
+std::vector<std::string> opened_modules() {
+    State& shared = state();
+    const std::scoped_lock lock(shared.mutex);
+    std::vector<std::string> files;
+    if (shared.image != nullptr) files.emplace_back(detail::image_module_name.file);
+    if (shared.writers != nullptr) files.emplace_back(detail::writers_module_name.file);
+    if (shared.color != nullptr) files.emplace_back(detail::color_module_name.file);
+    return files;
+}
+
 namespace detail {
 
 Result<const void*> open_module(const ModuleName& name, const std::vector<std::string>& folders) {

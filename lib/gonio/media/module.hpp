@@ -22,5 +22,8 @@ void set_module_folders(std::vector<std::string> folders);
 // Every folder that is searched, in order.
 std::vector<std::string> module_folders();
 
+// The files of the modules that are open in this process: "gonio-writers.so". Safe to call from any thread.
+std::vector<std::string> opened_modules();
+
 } // namespace gonio::media
 #pragma GCC visibility pop
