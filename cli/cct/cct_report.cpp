@@ -2,6 +2,8 @@
 
 #include <gonio/base/unit_text.hpp>
 
+#include "quality_report.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -135,7 +137,24 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
         line("black body",
              fmt::format("{} lm/W in total, {} within 360–830 nm, {} nt", rounded(answer.blackbody->total_lm_per_w, 4),
                          rounded(answer.blackbody->band_lm_per_w, 4), rounded(answer.blackbody_luminance->value, 4)));
+    if (answer.quality) text += quality_text(*answer.quality, request.illuminance);
     return text + versus_text(answer);
+}
+
+Rows::value_type quality_row(const CctAnswer& answer, std::optional<Lux> illuminance) {
+    const std::optional<ColorRendering>& rendering = answer.quality->rendering;
+    const std::optional<ColorFidelity>& fidelity = answer.quality->fidelity;
+    const auto tenths = [](bool known, double value) { return known ? fixed(value, 1) : std::string("-"); };
+    Rows::value_type row{answer.input,
+                         answer.cct ? rounded(answer.cct->temperature.value, 7) : "-",
+                         answer.cct ? signed_duv(answer.cct->duv) : "-",
+                         tenths(rendering.has_value(), rendering ? rendering->ra : 0.0),
+                         tenths(rendering.has_value(), rendering ? rendering->r[8] : 0.0),
+                         tenths(fidelity.has_value(), fidelity ? fidelity->rf : 0.0),
+                         tenths(fidelity.has_value(), fidelity ? fidelity->rg : 0.0),
+                         fixed(answer.quality->alpha_opic.melanopic_der(), 3)};
+    if (illuminance) row.push_back(rounded(illuminance->value * answer.quality->alpha_opic.melanopic_der(), 4));
+    return row;
 }
 
 } // namespace
@@ -143,6 +162,13 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
 std::string to_text(std::span<const CctAnswer> answers, const CctRequest& request) {
     if (answers.size() == 1) return block(answers.front(), request);
     Rows rows;
+    if (request.quality) {
+        rows.push_back({"input", "cct K", "Duv", "Ra", "R9", "Rf", "Rg", "melanopic DER"});
+        if (request.illuminance) rows.back().emplace_back("EDI lx");
+        for (const CctAnswer& answer : answers)
+            rows.push_back(quality_row(answer, request.illuminance));
+        return aligned(rows);
+    }
     rows.push_back({"input", "cct K", "Duv", "x", "y", "r", "g", "b", request.space.name});
     std::string text;
     for (const CctAnswer& answer : answers) {
@@ -178,6 +204,7 @@ Json to_json(const CctAnswer& answer, const CctRequest& request) {
         json["blackbody"] = {{"efficacy_lm_per_W", answer.blackbody->total_lm_per_w},
                              {"efficacy_360_830nm_lm_per_W", answer.blackbody->band_lm_per_w},
                              {"luminance_nt", answer.blackbody_luminance->value}};
+    if (answer.quality) json["quality"] = quality_json(*answer.quality, request.illuminance);
     if (!answer.versus.empty()) {
         Json list = Json::array();
         for (const CctVersus& versus : answer.versus) {

@@ -31,12 +31,12 @@ Diagnostics remarks_on(const Spectrum& spectrum) {
                                   [](const Diagnostic& known) { return known.code == "RES0103"; });
     if (!said && (nm.front() > detail::quality_first_nm + hair_nm || nm.back() < detail::quality_last_nm - hair_nm))
         remarks.push_back(result_diagnostic(
-            "RES0103", fmt::format("the spectrum reaches from {} to {} nm: taken as 0 beyond, up to 380 and 780 nm",
-                                   rounded(nm.front(), 9), rounded(nm.back(), 9))));
+            "RES0103", fmt::format("'{}' reaches from {} to {} nm: taken as 0 beyond, up to 380 and 780 nm",
+                                   spectrum.name, rounded(nm.front(), 9), rounded(nm.back(), 9))));
     if (const double widest = widest_step_nm(nm); widest > detail::sample_step_nm + hair_nm)
         remarks.push_back(result_diagnostic(
-            "RES0110", fmt::format("the spectrum has steps of {} nm, and figures of quality are defined for 5 nm",
-                                   rounded(widest, 4))));
+            "RES0110", fmt::format("'{}' has steps of {} nm, and figures of quality are defined for 5 nm",
+                                   spectrum.name, rounded(widest, 4))));
     return remarks;
 }
 
@@ -61,9 +61,10 @@ Result<LightQuality> light_quality(const Spectrum& spectrum) {
     if (quality.rendering->reference_duv > greatest_reference_duv)
         quality.diagnostics.push_back(result_diagnostic(
             "RES0109",
-            fmt::format("the light is {:.4f} in u, v from its reference illuminant: CIE 13.3 accepts 0.0054, so Ra and "
-                        "R1 to R15 are inaccurate",
-                        quality.rendering->reference_duv)));
+            fmt::format(
+                "'{}' is {:.4f} in u, v from its reference illuminant: CIE 13.3 accepts 0.0054, so Ra and R1 to R15 "
+                "are inaccurate",
+                spectrum.name, quality.rendering->reference_duv)));
     return quality;
 }
 
