@@ -17,7 +17,7 @@ namespace gonio::cli {
 struct ProfileSpectrum {
     std::size_t emitter = 0; // in the profile's order
     Tm33Emitter stated;      // without its tables
-    LightQuality quality; // its diagnostics are those of reading the spectrum too
+    LightQuality quality;    // its diagnostics are those of reading the spectrum too
 };
 
 // Empty for profiles without spectra. Fails as the readers of spectra do.

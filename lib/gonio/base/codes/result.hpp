@@ -29,7 +29,8 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "Few real materials have such a colour, according to the charts of Remember Me (2013). The value is used as "
      "given."},
     {"RES0109", Severity::warning, Strict::same, "colour rendering far from the reference illuminant",
-     "The light is more than 5.4e-3 in u, v from the reference illuminant of its temperature. CIE 13.3 considers Ra and "
+     "The light is more than 5.4e-3 in u, v from the reference illuminant of its temperature. CIE 13.3 considers Ra "
+     "and "
      "R1 to R15 inaccurate then. They are printed all the same."},
     {"RES0110", Severity::warning, Strict::same, "spectrum in coarse steps",
      "Figures of quality are defined for spectra in steps of at most 5 nm. Between its points this one is taken as "
