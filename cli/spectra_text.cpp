@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <variant>
 
 namespace gonio::cli {

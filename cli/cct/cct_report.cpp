@@ -14,13 +14,6 @@ namespace gonio::cli {
 
 namespace {
 
-// Six decimals, and no minus sign on a zero.
-std::string fixed(double value, int decimals = 6) {
-    const double scale = std::pow(10.0, decimals);
-    if (std::abs(value) * scale < 0.5) value = 0.0;
-    return fmt::format("{:.{}f}", value, decimals);
-}
-
 std::string signed_duv(double duv) {
     return std::abs(duv) < 5e-7 ? "0" : fmt::format("{:+.5f}", duv);
 }
@@ -88,11 +81,11 @@ Rows::value_type table_row(const CctAnswer& answer) {
     Rows::value_type row{answer.input,
                          answer.cct ? rounded(answer.cct->temperature.value, 7) : "-",
                          answer.cct ? signed_duv(answer.cct->duv) : "-",
-                         fixed(xy.x),
-                         fixed(xy.y),
-                         fixed(color.rgb.x),
-                         fixed(color.rgb.y),
-                         fixed(color.rgb.z)};
+                         fixed(xy.x, 6),
+                         fixed(xy.y, 6),
+                         fixed(color.rgb.x, 6),
+                         fixed(color.rgb.y, 6),
+                         fixed(color.rgb.z, 6)};
     if (answer.spectrum)
         row.push_back(fmt::format("{} lm/W, {}", rounded(answer.spectrum->efficacy_lm_per_w, 4),
                                   gonio::to_text(answer.spectrum->band)));
@@ -120,10 +113,11 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
         line("Duv", duv == "0" ? duv : fmt::format("{} (tint {}@dng)", duv, fixed(3000.0 * answer.cct->duv, 2)));
     }
     if (answer.locus != "planckian") line("locus", std::string(answer.locus));
-    line("xy", fmt::format("{} {}", fixed(xy.x), fixed(xy.y)));
-    line("u'v'", fmt::format("{} {}", fixed(uv.u), fixed(uv.v)));
-    line("XYZ", fmt::format("{} {} {}", fixed(xyz.x), fixed(xyz.y), fixed(xyz.z)));
-    line(request.space.name, fmt::format("{} {} {}", fixed(color.rgb.x), fixed(color.rgb.y), fixed(color.rgb.z)));
+    line("xy", fmt::format("{} {}", fixed(xy.x, 6), fixed(xy.y, 6)));
+    line("u'v'", fmt::format("{} {}", fixed(uv.u, 6), fixed(uv.v, 6)));
+    line("XYZ", fmt::format("{} {} {}", fixed(xyz.x, 6), fixed(xyz.y, 6), fixed(xyz.z, 6)));
+    line(request.space.name,
+         fmt::format("{} {} {}", fixed(color.rgb.x, 6), fixed(color.rgb.y, 6), fixed(color.rgb.z, 6)));
     line("luminance", rounded(color.luminance, 4));
     if (!color.in_gamut)
         line("gamut", request.gamut == Gamut::clip

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <string_view>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -15,13 +17,6 @@ namespace {
 
 std::string line(std::string_view name, const std::string& value) {
     return fmt::format("  {:<11} {}\n", name, value);
-}
-
-// "-0.0" is 0.
-std::string fixed(double value, int decimals) {
-    const double scale = std::pow(10.0, decimals);
-    if (std::fabs(value) * scale < 0.5) value = 0.0;
-    return fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string_view reference_key(ReferenceIlluminant kind) {
@@ -91,6 +86,12 @@ Json point_json(HuePoint point) {
 }
 
 } // namespace
+
+std::string fixed(double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    if (std::fabs(value) * scale < 0.5) value = 0.0;
+    return fmt::format("{:.{}f}", value, decimals);
+}
 
 std::string quality_text(const LightQuality& quality, std::optional<Lux> illuminance) {
     std::string text;

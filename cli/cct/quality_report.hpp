@@ -11,6 +11,9 @@
 
 namespace gonio::cli {
 
+// With so many decimals, and no minus sign on a zero.
+std::string fixed(double value, int decimals);
+
 // With a newline at the end of each line. Equivalent daylight illuminances are those of `illuminance`, or of 100 lx.
 std::string quality_text(const LightQuality& quality, std::optional<Lux> illuminance = std::nullopt);
 

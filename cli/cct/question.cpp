@@ -182,6 +182,8 @@ Result<CctRequest> cct_request(const Arguments& arguments) {
         request.duv = *duv;
     }
     request.quality = arguments.has("--quality");
+    if (request.quality && arguments.has("--versus"))
+        return fail("USE0107", "--quality and --versus are both given", "ask for them one by one");
     if (const auto text = arguments.value("--illuminance")) {
         if (!request.quality)
             return fail("USE0107", "--illuminance needs --quality", "it gives the equivalent daylight illuminance");

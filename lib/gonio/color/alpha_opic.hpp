@@ -38,7 +38,7 @@ struct AlphaOpic {
     double melanopic_der() const { return der[static_cast<std::size_t>(Receptor::melanopic)]; }
 };
 
-// Over 380–780 nm. Fails (usage) on a spectrum without visible light. Some 10 µs.
+// Over 380–780 nm. Fails (usage) on a spectrum without visible light. Some 6 µs at 1 nm.
 Result<AlphaOpic> alpha_opic(const Spectrum& spectrum);
 
 } // namespace gonio

@@ -3,7 +3,7 @@
 // Test colour samples under the light and under the reference illuminant of its colour temperature (a black body below
 // 5000 K, else a D illuminant): differences in U*V*W* of 1964 after von Kries' adaptation in u, v of 1960. The CIE 1931
 // observer, over 380–780 nm at the wavelengths of the light (spectrum.hpp says which those are); radiance factors of
-// the samples are linear between their 5 nm.
+// the samples are interpolated between their 5 nm by Sprague's formula.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -31,7 +31,7 @@ struct ColorRendering {
 inline constexpr double greatest_reference_duv = 5.4e-3;
 
 // Fails (usage) on a light without a reference illuminant: no visible light, no colour temperature, or one outside
-// 500–25000 K. Some 20 µs at 5 nm.
+// 500–25000 K. Some 10 µs at 5 nm, 40 µs at 1 nm.
 Result<ColorRendering> color_rendering(const Spectrum& spectrum);
 
 } // namespace gonio
