@@ -31,7 +31,7 @@ AlphaOpic detail::alpha_opic_of_rays(const Rays& light) {
     std::array<double, receptor_count> sum{};
     double luminous = 0.0;
     for (std::size_t i = 0; i < light.nm.size(); ++i) {
-        const double last = static_cast<double>(alpha_opic_spectra.size() - 1);
+        const auto last = static_cast<double>(alpha_opic_spectra.size() - 1);
         const double place = std::clamp(light.nm[i] - quality_first_nm, 0.0, last);
         const auto row = std::min(static_cast<std::size_t>(place), alpha_opic_spectra.size() - 2);
         const double f = place - static_cast<double>(row);
