@@ -13,6 +13,7 @@ here=.readme
 unset OCIO
 
 "$gonio" plot profiles/wall-washer.ies profiles/downlight.ies --per-klm -s 560x420 -o $here/polar.svg
+"$gonio" cct FL2 --quality -o $here/color-vectors.svg -s 480x480
 "$gonio" cct 1000K:10000K:20K --versus krystek,materialx,usd,helland -s 900x144 -o $here/strip.png
 "$gonio" preview profiles/wall-washer.ies --rotate 90deg -s 320x260 --look falsecolour -o $here/falsecolour.png
 "$gonio" preview profiles/downlight.ies -s 320x260 --look isolux -o $here/isolux.png

@@ -2,6 +2,8 @@
 
 #include <gonio/base/unit_text.hpp>
 
+#include "quality_report.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +13,6 @@
 namespace gonio::cli {
 
 namespace {
-
-// Six decimals, and no minus sign on a zero.
-std::string fixed(double value, int decimals = 6) {
-    const double scale = std::pow(10.0, decimals);
-    if (std::abs(value) * scale < 0.5) value = 0.0;
-    return fmt::format("{:.{}f}", value, decimals);
-}
 
 std::string signed_duv(double duv) {
     return std::abs(duv) < 5e-7 ? "0" : fmt::format("{:+.5f}", duv);
@@ -86,11 +81,11 @@ Rows::value_type table_row(const CctAnswer& answer) {
     Rows::value_type row{answer.input,
                          answer.cct ? rounded(answer.cct->temperature.value, 7) : "-",
                          answer.cct ? signed_duv(answer.cct->duv) : "-",
-                         fixed(xy.x),
-                         fixed(xy.y),
-                         fixed(color.rgb.x),
-                         fixed(color.rgb.y),
-                         fixed(color.rgb.z)};
+                         fixed(xy.x, 6),
+                         fixed(xy.y, 6),
+                         fixed(color.rgb.x, 6),
+                         fixed(color.rgb.y, 6),
+                         fixed(color.rgb.z, 6)};
     if (answer.spectrum)
         row.push_back(fmt::format("{} lm/W, {}", rounded(answer.spectrum->efficacy_lm_per_w, 4),
                                   gonio::to_text(answer.spectrum->band)));
@@ -118,10 +113,11 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
         line("Duv", duv == "0" ? duv : fmt::format("{} (tint {}@dng)", duv, fixed(3000.0 * answer.cct->duv, 2)));
     }
     if (answer.locus != "planckian") line("locus", std::string(answer.locus));
-    line("xy", fmt::format("{} {}", fixed(xy.x), fixed(xy.y)));
-    line("u'v'", fmt::format("{} {}", fixed(uv.u), fixed(uv.v)));
-    line("XYZ", fmt::format("{} {} {}", fixed(xyz.x), fixed(xyz.y), fixed(xyz.z)));
-    line(request.space.name, fmt::format("{} {} {}", fixed(color.rgb.x), fixed(color.rgb.y), fixed(color.rgb.z)));
+    line("xy", fmt::format("{} {}", fixed(xy.x, 6), fixed(xy.y, 6)));
+    line("u'v'", fmt::format("{} {}", fixed(uv.u, 6), fixed(uv.v, 6)));
+    line("XYZ", fmt::format("{} {} {}", fixed(xyz.x, 6), fixed(xyz.y, 6), fixed(xyz.z, 6)));
+    line(request.space.name,
+         fmt::format("{} {} {}", fixed(color.rgb.x, 6), fixed(color.rgb.y, 6), fixed(color.rgb.z, 6)));
     line("luminance", rounded(color.luminance, 4));
     if (!color.in_gamut)
         line("gamut", request.gamut == Gamut::clip
@@ -135,7 +131,24 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
         line("black body",
              fmt::format("{} lm/W in total, {} within 360–830 nm, {} nt", rounded(answer.blackbody->total_lm_per_w, 4),
                          rounded(answer.blackbody->band_lm_per_w, 4), rounded(answer.blackbody_luminance->value, 4)));
+    if (answer.quality) text += quality_text(*answer.quality, request.illuminance);
     return text + versus_text(answer);
+}
+
+Rows::value_type quality_row(const CctAnswer& answer, std::optional<Lux> illuminance) {
+    const std::optional<ColorRendering>& rendering = answer.quality->rendering;
+    const std::optional<ColorFidelity>& fidelity = answer.quality->fidelity;
+    const auto tenths = [](bool known, double value) { return known ? fixed(value, 1) : std::string("-"); };
+    Rows::value_type row{answer.input,
+                         answer.cct ? rounded(answer.cct->temperature.value, 7) : "-",
+                         answer.cct ? signed_duv(answer.cct->duv) : "-",
+                         tenths(rendering.has_value(), rendering ? rendering->ra : 0.0),
+                         tenths(rendering.has_value(), rendering ? rendering->r[8] : 0.0),
+                         tenths(fidelity.has_value(), fidelity ? fidelity->rf : 0.0),
+                         tenths(fidelity.has_value(), fidelity ? fidelity->rg : 0.0),
+                         fixed(answer.quality->alpha_opic.melanopic_der(), 3)};
+    if (illuminance) row.push_back(rounded(illuminance->value * answer.quality->alpha_opic.melanopic_der(), 4));
+    return row;
 }
 
 } // namespace
@@ -143,6 +156,13 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
 std::string to_text(std::span<const CctAnswer> answers, const CctRequest& request) {
     if (answers.size() == 1) return block(answers.front(), request);
     Rows rows;
+    if (request.quality) {
+        rows.push_back({"input", "cct K", "Duv", "Ra", "R9", "Rf", "Rg", "melanopic DER"});
+        if (request.illuminance) rows.back().emplace_back("EDI lx");
+        for (const CctAnswer& answer : answers)
+            rows.push_back(quality_row(answer, request.illuminance));
+        return aligned(rows);
+    }
     rows.push_back({"input", "cct K", "Duv", "x", "y", "r", "g", "b", request.space.name});
     std::string text;
     for (const CctAnswer& answer : answers) {
@@ -178,6 +198,7 @@ Json to_json(const CctAnswer& answer, const CctRequest& request) {
         json["blackbody"] = {{"efficacy_lm_per_W", answer.blackbody->total_lm_per_w},
                              {"efficacy_360_830nm_lm_per_W", answer.blackbody->band_lm_per_w},
                              {"luminance_nt", answer.blackbody_luminance->value}};
+    if (answer.quality) json["quality"] = quality_json(*answer.quality, request.illuminance);
     if (!answer.versus.empty()) {
         Json list = Json::array();
         for (const CctVersus& versus : answer.versus) {

@@ -110,9 +110,23 @@ Result<void> compare_temperatures(const CctRequest& request, CctAnswer& answer) 
     return {};
 }
 
+Result<void> add_quality(const Spectrum& spectrum, CctAnswer& answer) {
+    Result<LightQuality> quality = light_quality(spectrum);
+    if (!quality) return pass_on(quality);
+    answer.diagnostics.insert(answer.diagnostics.end(), quality->diagnostics.begin(), quality->diagnostics.end());
+    answer.quality = std::move(*quality);
+    return {};
+}
+
+Unexpected no_spectrum(const std::string& input) {
+    return fail("USE0107", fmt::format("--quality needs a spectrum, and '{}' is only a chromaticity", input),
+                "name an illuminant (d65), a black body (2700K) or, with --spectrum, a file");
+}
+
 // The answer for a chromaticity: its correlated colour temperature.
 Result<std::vector<CctAnswer>> nearest_black_body(std::string input, CctKind kind, Uv at, const CctRequest& request) {
     if (request.duv) return fail("USE0107", fmt::format("'{}' already has a Duv", input), "leave --duv and --tint out");
+    if (request.quality) return no_spectrum(input);
     Result<Cct> cct = exact_cct(at);
     if (!cct) return pass_on(cct);
     CctAnswer answer = in_space(std::move(input), kind, at, request);
@@ -138,6 +152,8 @@ Result<CctAnswer> answer_of(const Spectrum& spectrum, std::string input, const C
         reason.code = CodeOf<result_codes>("RES0102")->code; // not that of an error
         answer.diagnostics.push_back(std::move(reason));
     }
+    if (request.quality)
+        if (Result<void> added = add_quality(spectrum, answer); !added) return pass_on(added);
     if (Result<void> compared = compare_temperatures(request, answer); !compared) return pass_on(compared);
     return answer;
 }
@@ -164,6 +180,18 @@ Result<CctRequest> cct_request(const Arguments& arguments) {
         Result<double> duv = parse_tint(*text);
         if (!duv) return pass_on(duv);
         request.duv = *duv;
+    }
+    request.quality = arguments.has("--quality");
+    if (request.quality && arguments.has("--versus"))
+        return fail("USE0107", "--quality and --versus are both given", "ask for them one by one");
+    if (const auto text = arguments.value("--illuminance")) {
+        if (!request.quality)
+            return fail("USE0107", "--illuminance needs --quality", "it gives the equivalent daylight illuminance");
+        Result<double> lux = parse_amount(*text, Dimension::illuminance, "--illuminance");
+        if (!lux) return pass_on(lux);
+        if (!(*lux >= 0.0))
+            return fail("USE0105", fmt::format("--illuminance takes an illuminance from 0, not '{}'", *text));
+        request.illuminance = Lux(*lux);
     }
     Result<Gamut> gamut = choose(arguments, "--gamut", "gamut",
                                  std::array{Named<Gamut>{"keep", Gamut::keep}, Named<Gamut>{"clip", Gamut::clip}});
@@ -237,6 +265,7 @@ Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctR
             return fail("USE0107", fmt::format("'{}' already has a Duv, and --duv or --tint gives another one", value));
         cct->duv = *request.duv;
     }
+    if (request.quality && (request.locus != Locus::planckian || cct->duv != 0.0)) return no_spectrum(value);
     Result<Uv> at = exact_uv(*cct, request.locus);
     if (!at) return pass_on(at);
     CctAnswer answer = in_space(value, CctKind::temperature, *at, request);
@@ -250,6 +279,11 @@ Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctR
         answer.blackbody_luminance = blackbody_luminance(cct->temperature, *answer.blackbody);
     }
     answer.diagnostics = remarks(*answer.cct);
+    if (request.quality) {
+        Result<Spectrum> body = blackbody_spectrum(cct->temperature);
+        if (!body) return pass_on(body);
+        if (Result<void> added = add_quality(*body, answer); !added) return pass_on(added);
+    }
     if (Result<void> compared = compare_colors(request, answer); !compared) return pass_on(compared);
     return std::vector{std::move(answer)};
 }

@@ -3,6 +3,7 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/color/cct.hpp>
+#include <gonio/color/light_quality.hpp>
 #include <gonio/color/named_methods.hpp>
 #include <gonio/color/planckian.hpp>
 #include <gonio/color/rgb_space.hpp>
@@ -26,6 +27,8 @@ struct CctRequest {
     Normalize normalize = Normalize::luminance;
     std::optional<Band> band;
     std::optional<std::string> versus;
+    bool quality = false;
+    std::optional<Lux> illuminance; // for the equivalent daylight illuminance
 };
 
 // How a chromaticity was given.
@@ -50,6 +53,7 @@ struct CctAnswer {
     std::optional<BlackbodyEfficacy> blackbody; // for a temperature on the Planckian locus itself
     std::optional<Nits> blackbody_luminance;
     std::optional<SpectrumColor> spectrum;
+    std::optional<LightQuality> quality; // if asked for
     std::vector<CctVersus> versus;
     Diagnostics diagnostics;
 };

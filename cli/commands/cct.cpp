@@ -1,6 +1,7 @@
 #include <gonio/base/file.hpp>
 #include <gonio/media/display.hpp>
 #include <gonio/media/image_file.hpp>
+#include <gonio/plot/color_vector_graphic.hpp>
 
 #include "../arguments.hpp"
 #include "../cct/cct_report.hpp"
@@ -41,15 +42,25 @@ constexpr std::array space_options{
     Option{"--band", "BAND", "wavelengths of the radiant flux in the efficacy: 380nm:780nm (the whole spectrum)"},
     Option{"--versus", "METHOD,…", "compare with other methods: names, or all", "color-methods"},
 };
+constexpr std::array quality_options{
+    Option{"--quality", "",
+           "of spectra and black bodies: colour rendering (CRI, TM-30) and alpha-opic figures; with -o a colour vector "
+           "graphic"},
+    Option{"--illuminance", "LUX", "also the equivalent daylight illuminance (EDI) of that much light: 500lx (100lx)"},
+};
 constexpr std::array strip_options{
     Option{"-o,--output", "FILE", "write a picture of the colours side by side; '-' is stdout (with --to)"},
-    Option{"-s,--size", "WxH", "width and height of the picture in pixels (1024x128)"},
-    Option{"--to", "FORMAT", "format of the picture, if the file name does not show it", "images"},
+    Option{"-s,--size", "WxH", "width and height of the picture in pixels (1024x128, with --quality 720x720)"},
+    Option{"--to", "FORMAT", "format of the picture, if the file name does not show it; svg with --quality", "images"},
     Option{"--no-scale", "", "leave out the scale that integer formats have at the bottom"},
     durable_option,
 };
-constexpr std::array groups{OptionGroup{"colour", color_options}, OptionGroup{"space", space_options},
-                            OptionGroup{"picture", strip_options}, json_group, common_group};
+constexpr std::array groups{OptionGroup{"colour", color_options},
+                            OptionGroup{"space", space_options},
+                            OptionGroup{"quality", quality_options},
+                            OptionGroup{"picture", strip_options},
+                            json_group,
+                            common_group};
 constexpr std::array examples{
     Example{"gonio cct 2700K", "the colour of a 2700 K black body"},
     Example{"gonio cct 2700K/0.003 --space acescg --json", "3e-3 above the locus, in ACEScg"},
@@ -59,6 +70,8 @@ constexpr std::array examples{
             "colours next to their approximations"},
     Example{"gonio cct 1850K --versus all", "how far engines are off at the colour of a candle"},
     Example{"gonio cct --spectrum lamp.csv --band 380nm:780nm", "colour and luminous efficacy of a measured spectrum"},
+    Example{"gonio cct LED-B3 --quality --illuminance 500lx", "CRI, TM-30 and melanopic EDI of a lamp at 500 lx"},
+    Example{"gonio cct --spectrum lamp.csv --quality -o lamp.svg", "its colour vector graphic"},
     Example{"cut -d, -f2 lamps.csv | gonio cct - --jsonl", "values from stdin"},
 };
 
@@ -141,6 +154,25 @@ Result<void> draw(std::span<const CctAnswer> answers, const CctRequest& request,
     return write_output(output, *bytes);
 }
 
+Result<void> draw_quality(std::span<const CctAnswer> answers, const Arguments& arguments, const std::string& output) {
+    if (answers.size() != 1)
+        return fail("USE0107", fmt::format("a colour vector graphic shows one light, but {} are given", answers.size()),
+                    "leave out -o for a table");
+    ColorVectorOptions options;
+    options.title = answers.front().input;
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        options.width_px = size->width;
+        options.height_px = size->height;
+    }
+    Result<const media::ImageFormat*> format = diagram_format(arguments.value("--to"), output);
+    if (!format) return pass_on(format);
+    Result<Drawing> page = color_vector_graphic(*answers.front().quality, options);
+    if (!page) return pass_on(page);
+    return write_diagram(*page, *format, output);
+}
+
 Result<int> cct(const Arguments& arguments, Console& console) {
     Result<CctRequest> request = cct_request(arguments);
     if (!request) return pass_on(request);
@@ -178,8 +210,11 @@ Result<int> cct(const Arguments& arguments, Console& console) {
         }
     }
     if (!answers.empty()) {
-        if (output)
-            if (Result<void> drawn = draw(answers, *request, arguments, *output); !drawn) return pass_on(drawn);
+        if (output) {
+            Result<void> drawn = request->quality ? draw_quality(answers, arguments, *output)
+                                                  : draw(answers, *request, arguments, *output);
+            if (!drawn) return pass_on(drawn);
+        }
         if (lines) {
             for (const CctAnswer& answer : answers)
                 console.print(dump(to_json(answer, *request), -1));

@@ -17,6 +17,7 @@
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
 #include "../polar_text.hpp"
+#include "../spectra_text.hpp"
 
 #include <fmt/format.h>
 
@@ -28,8 +29,10 @@ namespace {
 
 constexpr std::array report_options{
     Option{"--all", "", "also show NEMA type, CIE flux code, spacing criterion and the IES classification"},
-    Option{"--figures", "",
-           "also show what luminaires are planned by: UGR table, utilisation, luminances, BUG and other classes"},
+    Option{
+        "--figures", "",
+        "also show what luminaires are planned by: UGR table, utilisation, luminances, BUG and other classes, and the "
+        "quality of light of a spectrum"},
     Option{"--ugr-between", "WHAT",
            "UGR: what is linear between the measured directions, intensity or luminance (intensity)"},
     Option{"--csv", "", "a CSV table with a line for each file"},
@@ -67,6 +70,25 @@ std::string csv_line(const std::string& file, const ProfileFacts& facts) {
 // A file that could not be read keeps its line.
 std::string csv_line(const std::string& file, const Error& error) {
     return fmt::format("{},,,,,,,,,,,,,,{}\n", csv_field(file), csv_field(error.diagnostics.back().message));
+}
+
+std::string spectra_words(const Profile& profile, Diagnostics& diagnostics) {
+    const Result<std::vector<ProfileSpectrum>> spectra = profile_spectra(profile);
+    if (!spectra) return text_of({{"spectrum", "none: " + spectra.error().diagnostics.back().message}});
+    for (const ProfileSpectrum& each : *spectra)
+        diagnostics.insert(diagnostics.end(), each.quality.diagnostics.begin(), each.quality.diagnostics.end());
+    return spectra_text(*spectra);
+}
+
+// As a figure, before the reasons for those that are missing; nothing for a profile without spectra.
+void add_spectra(const Profile& profile, Json& report) {
+    const Result<std::vector<ProfileSpectrum>> spectra = profile_spectra(profile);
+    if (spectra && spectra->empty()) return;
+    Json missing = std::move(report["missing_figures"]);
+    report.erase("missing_figures");
+    report["spectra"] = spectra ? spectra_json(*spectra) : Json(nullptr);
+    if (!spectra) missing["spectra"] = spectra.error().diagnostics.back().message;
+    report["missing_figures"] = std::move(missing);
 }
 
 int run(const Arguments& arguments, Console& console) {
@@ -112,13 +134,16 @@ int run(const Arguments& arguments, Console& console) {
         } else if (kind == ReportKind::words) {
             outcome.words = file + "\n" + text_of(fact_lines(facts));
             if (all) outcome.words += text_of(more_fact_lines(facts));
-            if (figures) outcome.words += figures_text(figures_of(*loaded));
+            if (figures)
+                outcome.words +=
+                    figures_text(figures_of(*loaded)) + spectra_words(loaded->profile, loaded->diagnostics);
             if (plot) outcome.words += polar_text(loaded->web);
         } else {
             outcome.report = detail::facts_json(file, facts, loaded->diagnostics);
             Json diagnostics = std::move(outcome.report["diagnostics"]);
             outcome.report.erase("diagnostics");
             outcome.report.update(detail::figures_json(figures_of(*loaded)));
+            add_spectra(loaded->profile, outcome.report);
             outcome.report["diagnostics"] = std::move(diagnostics);
         }
         outcome.diagnostics = std::move(loaded->diagnostics);

@@ -2,13 +2,9 @@
 
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/picture_size.hpp>
-#include <gonio/plot/raster.hpp>
-#include <gonio/plot/svg.hpp>
 
 #include "output.hpp"
 #include "values.hpp"
-
-#include <fmt/format.h>
 
 #include <utility>
 
@@ -26,18 +22,9 @@ Result<GridDrawing> grid_drawing(const Arguments& arguments) {
         drawing.width_px = size->width;
         drawing.height_px = size->height;
     }
-    const auto named = arguments.value("--to");
-    if (named ? *named != "svg" : !drawing.output.ends_with(".svg")) {
-        if (!named && media::find_image_format(drawing.output) == nullptr)
-            return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", drawing.output),
-                        "end it in .svg or .png, or add --to");
-        Result<const media::ImageFormat*> format = picture_format(named, drawing.output);
-        if (!format) return pass_on(format);
-        if (!has_pixel(**format, media::Pixel::uint8))
-            return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
-                        "write .svg, .png, .tif or .jpg");
-        drawing.format = *format;
-    }
+    Result<const media::ImageFormat*> format = diagram_format(arguments.value("--to"), drawing.output);
+    if (!format) return pass_on(format);
+    drawing.format = *format;
     return drawing;
 }
 
@@ -51,10 +38,7 @@ Result<void> write_grid_drawing(const GridDrawing& drawing, GridPlot plot, Diagn
         diagnostics.push_back(result_diagnostic("RES0409",
                                                 "the cells are too small for their numbers, which are left out",
                                                 "use a larger -s, or a wider spacing"));
-    if (drawing.format == nullptr) return write_output(drawing.output, to_svg(*page));
-    Result<std::string> bytes = encode_for_display(to_image(*page), *drawing.format, false);
-    if (!bytes) return pass_on(bytes);
-    return write_output(drawing.output, *bytes);
+    return write_diagram(*page, drawing.format, drawing.output);
 }
 
 } // namespace gonio::cli

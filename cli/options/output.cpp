@@ -8,6 +8,8 @@
 #include <gonio/base/named.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
+#include <gonio/plot/raster.hpp>
+#include <gonio/plot/svg.hpp>
 
 #include "files_in_use.hpp"
 
@@ -100,6 +102,26 @@ Result<std::string> encode_for_display(const Image& image, const media::ImageFor
     write.color_space = "sRGB";
     write.dither = dither;
     return media::encode_image(image, format, write);
+}
+
+Result<const media::ImageFormat*> diagram_format(const std::optional<std::string>& named, const std::string& output) {
+    if (named ? *named == "svg" : output.ends_with(".svg")) return nullptr;
+    if (!named && media::find_image_format(output) == nullptr)
+        return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", output),
+                    "end it in .svg or .png, or add --to");
+    Result<const media::ImageFormat*> format = picture_format(named, output);
+    if (!format) return pass_on(format);
+    if (!has_pixel(**format, media::Pixel::uint8))
+        return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
+                    "write .svg, .png, .tif or .jpg");
+    return *format;
+}
+
+Result<void> write_diagram(const Drawing& drawing, const media::ImageFormat* format, const std::string& output) {
+    if (format == nullptr) return write_output(output, to_svg(drawing));
+    Result<std::string> bytes = encode_for_display(to_image(drawing), *format, false);
+    if (!bytes) return pass_on(bytes);
+    return write_output(output, *bytes);
 }
 
 void set_durable_outputs(bool durable) {

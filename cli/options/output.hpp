@@ -4,6 +4,7 @@
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/media/image_file.hpp>
+#include <gonio/plot/drawing.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
@@ -50,6 +51,13 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
 // A picture of three display-encoded channels as bytes of a format with 8 bits per channel. `dither`: for pictures of
 // light, not for drawings and scales.
 Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format, bool dither);
+
+// The format of a diagram, named by --to or by the output's name; nullptr is SVG. Fails (usage) if neither gives one,
+// and on formats for light.
+Result<const media::ImageFormat*> diagram_format(const std::optional<std::string>& named, const std::string& output);
+
+// Draws a diagram to the file, or to stdout for "-".
+Result<void> write_diagram(const Drawing& drawing, const media::ImageFormat* format, const std::string& output);
 
 // --durable: whether files written from now on are flushed to the disk before they get their names.
 void set_durable_outputs(bool durable);

@@ -22,8 +22,13 @@
 #include <gonio/base/result.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/base/version.hpp>
+#include <gonio/color/alpha_opic.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/chromaticity.hpp>
+#include <gonio/color/color_fidelity.hpp>
+#include <gonio/color/color_rendering.hpp>
+#include <gonio/color/light_quality.hpp>
+#include <gonio/color/reference_illuminant.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/figures/box_room.hpp>
@@ -69,6 +74,7 @@
 #include <gonio/media/image_file.hpp>
 #include <gonio/media/light_image_file.hpp>
 #include <gonio/media/module.hpp>
+#include <gonio/plot/color_vector_graphic.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/drawing.hpp>
 #include <gonio/preview/capture.hpp>

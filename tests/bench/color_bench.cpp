@@ -5,6 +5,7 @@
 // same instruction set (written as in its paper: two quotients, then the projection), by `sum/1nm`, or by
 // `inverse/newton-on-sum`. `items_per_second` counts values.
 #include <gonio/color/kernels.hpp>
+#include <gonio/color/light_quality.hpp>
 #include <gonio/color/planckian.hpp>
 #include <gonio/measure/color_methods.hpp>
 
@@ -66,6 +67,13 @@ void inverse(benchmark::State& state, const Call& call) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
 }
 
+template<class Call>
+void quality(benchmark::State& state, const std::string& name, const Call& call) {
+    const Spectrum spectrum = *read_spectrum(name);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(call(spectrum));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -93,6 +101,20 @@ int main(int argc, char** argv) {
                                  [](benchmark::State& state) { inverse(state, [](Uv at) { return fast_cct(at); }); });
     benchmark::RegisterBenchmark("inverse/newton-on-sum",
                                  [](benchmark::State& state) { inverse(state, [](Uv at) { return exact_cct(at); }); });
+    for (const std::string name : {"FL2", "blackbody:2700K"}) { // in steps of 5 nm and of 1 nm
+        benchmark::RegisterBenchmark(("quality/all/" + name).c_str(), [name](benchmark::State& state) {
+            quality(state, name, [](const Spectrum& spectrum) { return light_quality(spectrum); });
+        });
+        benchmark::RegisterBenchmark(("quality/cri/" + name).c_str(), [name](benchmark::State& state) {
+            quality(state, name, [](const Spectrum& spectrum) { return color_rendering(spectrum); });
+        });
+        benchmark::RegisterBenchmark(("quality/tm30/" + name).c_str(), [name](benchmark::State& state) {
+            quality(state, name, [](const Spectrum& spectrum) { return color_fidelity(spectrum); });
+        });
+        benchmark::RegisterBenchmark(("quality/alpha-opic/" + name).c_str(), [name](benchmark::State& state) {
+            quality(state, name, [](const Spectrum& spectrum) { return alpha_opic(spectrum); });
+        });
+    }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

@@ -48,6 +48,25 @@ def test_spectra():
         gonio.Spectrum([500.0, 400.0], [1.0, 1.0])
 
 
+def test_light_quality():
+    lamp = gonio.light_quality(gonio.read_spectrum("FL2"))
+    assert lamp.temperature_k == pytest.approx(4225, abs=1) and lamp.duv == pytest.approx(0.0018, abs=1e-4)
+    assert lamp.ra == pytest.approx(64.2, abs=0.1) and lamp.r.shape == (15,) and lamp.r[8] == pytest.approx(-83.9, abs=0.1)
+    assert lamp.rf == pytest.approx(70.12, abs=0.01) and lamp.rg == pytest.approx(86.42, abs=0.01)
+    assert lamp.rf_hues.shape == lamp.chroma_shifts.shape == lamp.hue_shifts.shape == (16,)
+    assert lamp.rf_samples.shape == (99,) and lamp.rf_samples.max() <= 100.0
+    assert 0 < lamp.reference_duv < 0.0054 and lamp.diagnostics == []
+    assert lamp.melanopic_der == lamp.alpha_opic_der["melanopic"] == pytest.approx(0.5694, abs=1e-3)
+    assert list(sorted(lamp.alpha_opic_mw_per_lm)) == ["l_cone", "m_cone", "melanopic", "rhodopic", "s_cone"]
+    assert lamp.svg(title="<lamp>").count("&lt;lamp&gt;") > 0
+    nm = np.arange(380.0, 781.0, 5.0)
+    blue = gonio.light_quality(gonio.Spectrum(nm, np.exp2(-(((nm - 450.0) / 10.0) ** 2))))
+    assert blue.ra is None and blue.r is None and blue.rf is None and blue.temperature_k is None
+    assert blue.melanopic_der > 1.0 and [d.code for d in blue.diagnostics] == ["RES0111"]
+    with pytest.raises(gonio.Error):
+        blue.svg()
+
+
 def test_warnings_are_pythons():
     with pytest.warns(gonio.DiagnosticWarning):
         gonio.light_color("1000K")

@@ -1,5 +1,6 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/detail/cie_tables.hpp>
+#include <gonio/color/detail/spectrum_samples.hpp>
 #include <gonio/color/luminous_efficacy.hpp>
 #include <gonio/color/planckian.hpp>
 #include <gonio/color/spectrum.hpp>
@@ -15,24 +16,6 @@ namespace gonio {
 
 namespace {
 
-// The observer at any wavelength, linear between its rows, 0 outside.
-glm::dvec3 observer_at(double nm) {
-    const double place = nm - detail::observer_first_nm;
-    if (!(place >= 0.0) || nm > detail::observer_last_nm) return glm::dvec3(0.0);
-    const auto i = std::min(static_cast<std::size_t>(place), detail::observer.size() - 2);
-    const double f = place - static_cast<double>(i);
-    const auto& a = detail::observer[i];
-    const auto& b = detail::observer[i + 1];
-    return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
-}
-
-// Samples, and the width in nm that each one represents.
-struct Samples {
-    std::vector<double> nm;
-    std::vector<double> power;
-    double width_nm = 1.0;
-};
-
 // Whether all steps agree to a thousandth, which tables with rounded wavelengths do.
 bool even(const std::vector<double>& nm) {
     const double step = (nm.back() - nm.front()) / static_cast<double>(nm.size() - 1);
@@ -41,8 +24,24 @@ bool even(const std::vector<double>& nm) {
     return true;
 }
 
-// Unchanged if the steps are uniform and at most 5 nm, else interpolated to steps of 1 nm or of its finest step.
-Samples samples_of(const Spectrum& spectrum) {
+bool same_letters(std::string_view a, std::string_view b) {
+    const auto fold = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return fold(x) == fold(y); });
+}
+
+} // namespace
+
+glm::dvec3 detail::observer_at(double nm) {
+    const double place = nm - observer_first_nm;
+    if (!(place >= 0.0) || nm > observer_last_nm) return glm::dvec3(0.0);
+    const auto i = std::min(static_cast<std::size_t>(place), observer.size() - 2);
+    const double f = place - static_cast<double>(i);
+    const auto& a = observer[i];
+    const auto& b = observer[i + 1];
+    return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
+}
+
+detail::Samples detail::samples_of(const Spectrum& spectrum) {
     const std::vector<double>& nm = spectrum.wavelengths_nm;
     if (nm.size() == 1) return {nm, spectrum.power, 1.0};
     const double mean_step = (nm.back() - nm.front()) / static_cast<double>(nm.size() - 1);
@@ -66,13 +65,6 @@ Samples samples_of(const Spectrum& spectrum) {
     return samples;
 }
 
-bool same_letters(std::string_view a, std::string_view b) {
-    const auto fold = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return fold(x) == fold(y); });
-}
-
-} // namespace
-
 Result<Band> parse_band(std::string_view text) {
     const std::size_t colon = text.find(':');
     const auto nanometers = [](std::string_view part) -> std::optional<double> {
@@ -92,7 +84,7 @@ std::string to_text(Band band) {
 }
 
 Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> band) {
-    const Samples samples = samples_of(spectrum);
+    const detail::Samples samples = detail::samples_of(spectrum);
     SpectrumColor color;
     color.band = band.value_or(Band{spectrum.wavelengths_nm.front(), spectrum.wavelengths_nm.back()});
     // Tables in steps of 5 nm are summed over 380–780 nm (CIE 015): most end there, and a longer range at one end only
@@ -106,7 +98,7 @@ Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> ban
     for (std::size_t i = 0; i < samples.nm.size(); ++i) {
         const double power = samples.power[i] / greatest;
         if (samples.nm[i] >= seen.first_nm - 1e-9 && samples.nm[i] <= seen.last_nm + 1e-9)
-            color.xyz += power * observer_at(samples.nm[i]);
+            color.xyz += power * detail::observer_at(samples.nm[i]);
         if (samples.nm[i] < color.band.first_nm - 1e-9 || samples.nm[i] > color.band.last_nm + 1e-9) continue;
         if (!first) first = power;
         last = power;

@@ -2,13 +2,19 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/kernels.hpp>
+#include <gonio/color/light_quality.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/plot/color_vector_graphic.hpp>
+#include <gonio/plot/svg.hpp>
 
 #include "binding.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
 #include <pybind11/stl.h>
 
 namespace gonio::python {
@@ -93,6 +99,104 @@ FloatsInOrder rgb_in_packs(const FloatsInOrder& temperature, const RgbSpace& spa
                 to[3 * (begin + i) + channel] = rgb[channel][i];
     }
     return result;
+}
+
+// A number of a part that a light may lack.
+template<class Part, class Value>
+std::optional<double> part_of(const std::optional<Part>& part, Value value) {
+    if (!part) return std::nullopt;
+    return value(*part);
+}
+
+// A number of each hue bin, or None.
+py::object of_bins(const LightQuality& quality, double HueBin::*value) {
+    if (!quality.fidelity) return py::none();
+    Doubles result(static_cast<py::ssize_t>(hue_bin_count));
+    for (std::size_t i = 0; i < hue_bin_count; ++i)
+        result.mutable_data()[i] = quality.fidelity->bins[i].*value;
+    return result;
+}
+
+template<std::size_t n>
+Doubles array_of(const std::array<double, n>& values) {
+    return Doubles(static_cast<py::ssize_t>(n), values.data());
+}
+
+// By the names of the receptors.
+std::map<std::string, double> of_receptors(const std::array<double, receptor_count>& values) {
+    std::map<std::string, double> named;
+    for (const ReceptorName& receptor : receptor_names())
+        named.emplace(receptor.name, values[static_cast<std::size_t>(receptor.receptor)]);
+    return named;
+}
+
+void add_light_quality(py::module_& module) {
+    py::class_<LightQuality>(
+        module, "LightQuality",
+        "The quality of light of a spectrum. What needs a reference illuminant is None without one.")
+        .def_property_readonly(
+            "temperature_k",
+            [](const LightQuality& q) { return part_of(q.cct, [](const Cct& c) { return c.temperature.value; }); },
+            "Correlated colour temperature [K].")
+        .def_property_readonly(
+            "duv", [](const LightQuality& q) { return part_of(q.cct, [](const Cct& c) { return c.duv; }); },
+            "Distance from the black bodies in u, v of 1960; greener above 0.")
+        .def_property_readonly(
+            "ra", [](const LightQuality& q) { return part_of(q.rendering, [](const auto& r) { return r.ra; }); },
+            "General colour rendering index, CIE 13.3.")
+        .def_property_readonly(
+            "r",
+            [](const LightQuality& q) {
+                return q.rendering ? py::object(array_of(q.rendering->r)) : py::object(py::none());
+            },
+            "Special colour rendering indices R1 to R15 (15).")
+        .def_property_readonly(
+            "reference_duv",
+            [](const LightQuality& q) { return part_of(q.rendering, [](const auto& r) { return r.reference_duv; }); },
+            "Distance from the reference illuminant of CIE 13.3 in u, v of 1960, which accepts 0.0054.")
+        .def_property_readonly(
+            "rf", [](const LightQuality& q) { return part_of(q.fidelity, [](const auto& f) { return f.rf; }); },
+            "Colour fidelity index, TM-30 and CIE 224.")
+        .def_property_readonly(
+            "rg", [](const LightQuality& q) { return part_of(q.fidelity, [](const auto& f) { return f.rg; }); },
+            "Gamut index, TM-30.")
+        .def_property_readonly(
+            "rf_samples",
+            [](const LightQuality& q) {
+                return q.fidelity ? py::object(array_of(q.fidelity->samples)) : py::object(py::none());
+            },
+            "Colour fidelity of each of the 99 samples (99).")
+        .def_property_readonly(
+            "rf_hues", [](const LightQuality& q) { return of_bins(q, &HueBin::fidelity); },
+            "Colour fidelity Rf,h by hue bin (16).")
+        .def_property_readonly(
+            "chroma_shifts", [](const LightQuality& q) { return of_bins(q, &HueBin::chroma_shift); },
+            "Shift of chroma Rcs,h by hue bin (16); 0.1 is 10 % more.")
+        .def_property_readonly(
+            "hue_shifts", [](const LightQuality& q) { return of_bins(q, &HueBin::hue_shift); },
+            "Shift of hue Rhs,h by hue bin (16), about radians.")
+        .def_property_readonly(
+            "alpha_opic_mw_per_lm", [](const LightQuality& q) { return of_receptors(q.alpha_opic.efficacy_mw_per_lm); },
+            "Alpha-opic efficacies of luminous radiation [mW/lm] by receptor: s_cone, m_cone, l_cone, rhodopic,\n"
+            "melanopic.")
+        .def_property_readonly(
+            "alpha_opic_der", [](const LightQuality& q) { return of_receptors(q.alpha_opic.der); },
+            "Daylight (D65) efficacy ratios by receptor.")
+        .def_property_readonly(
+            "melanopic_der", [](const LightQuality& q) { return q.alpha_opic.melanopic_der(); },
+            "Melanopic daylight efficacy ratio: melanopic EDI per lux.")
+        .def_readonly("diagnostics", &LightQuality::diagnostics, "What is to be said about the figures.")
+        .def(
+            "svg",
+            [](const LightQuality& q, int width, int height, const std::string& title) {
+                return to_svg(value_of(color_vector_graphic(q, {width, height, title})));
+            },
+            py::kw_only(), py::arg("width_px") = 480, py::arg("height_px") = 480, py::arg("title") = "",
+            "The colour vector graphic of TM-30 as SVG text.");
+    module.def(
+        "light_quality", [](const Spectrum& spectrum) { return value_of(gonio::light_quality(spectrum)); },
+        py::arg("spectrum"),
+        "Colour rendering (CIE 13.3, TM-30) and alpha-opic figures (CIE S 026) of a spectrum, some 0.1 ms.");
 }
 
 } // namespace
@@ -276,6 +380,7 @@ void add_colors(py::module_& module) {
     module.def(
         "read_spectrum", [](const std::string& text) { return value_of(read_spectrum(text)); }, py::arg("text"),
         "The spectrum of a CIE illuminant ('d65', 'LED-B3'), of 'blackbody:2700K', or of a CSV or TM-33 file.");
+    add_light_quality(module);
 }
 
 } // namespace gonio::python

@@ -28,6 +28,16 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
     {"RES0108", Severity::warning, Strict::same, "colour outside the artists' charts",
      "Few real materials have such a colour, according to the charts of Remember Me (2013). The value is used as "
      "given."},
+    {"RES0109", Severity::warning, Strict::same, "colour rendering far from the reference illuminant",
+     "The light is more than 5.4e-3 in u, v from the reference illuminant of its temperature. CIE 13.3 considers Ra "
+     "and "
+     "R1 to R15 inaccurate then. They are printed all the same."},
+    {"RES0110", Severity::warning, Strict::same, "spectrum in coarse steps",
+     "Figures of quality are defined for spectra in steps of at most 5 nm. Between its points this one is taken as "
+     "linear."},
+    {"RES0111", Severity::warning, Strict::same, "light without a reference illuminant",
+     "Colour rendering compares a light with one of the same colour temperature, from 500 to 25000 K. This light has "
+     "no such temperature."},
 
     {"RES0201", Severity::warning, Strict::same, "something that the target cannot store",
      "The program that the file is for does not have this. The message states what is written instead."},
