@@ -116,7 +116,62 @@ function table(info) {
   if (info.lcs_front_c_deg !== undefined && info.lcs_front_c_deg !== null)
     more.push(row('LCS front at C', quantity(info.lcs_front_c_deg, '°'), { key: 'lcs_front_c_deg', raw: info.lcs_front_c_deg }));
   if (more.length) bodies.push(group('Classification', more));
+  if (info.figure_rules) bodies.push(group('Figures', figureRows(info)));
   return el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Facts of the profile'), ...bodies);
+}
+
+// [key, label, unit]; what a luminaire is planned by.
+const figures = [
+  ['light_output_ratios.lor', 'Light output ratio LOR', ''],
+  ['light_output_ratios.dlor', 'Downward DLOR', ''],
+  ['light_output_ratios.ulor', 'Upward ULOR', ''],
+  ['upward_light_ratio', 'Upward share ULR', ''],
+  ['distribution_class', 'Distribution, DIN 5040', ''],
+  ['bug.rating', 'BUG rating', ''],
+  ['bug.rating_type_v', 'BUG rating as type V', ''],
+  ['cut_off', 'Cut-off class', ''],
+  ['luminous_intensity_class', 'Intensity class by its own flux', ''],
+  ['luminous_intensity_class_lamps', 'Intensity class by the lamps’ flux', ''],
+  ['glare_index.class', 'Glare index class', ''],
+  ['glare_index.cd_per_m', 'Glare index at 85°', 'cd/m'],
+  ['ugr_correction', 'In the UGR tables for the lamps’ flux', ''],
+];
+
+// The figures with one value; the rule of each is its help, and the reason for one that there is not.
+function figureRows(info) {
+  return figures.map(([key, label, unit]) => {
+    const name = key.split('.')[0];
+    const value = valueOf(info, key);
+    const missing = info.missing_figures?.[name];
+    const shown = missing ? el('span', { class: 'muted' }, missing) : quantity(value, unit);
+    return row(label, shown, { key, help: info.figure_rules?.[name], raw: value ?? null });
+  });
+}
+
+// A table of numbers behind its title: rows and columns have names, `digits` decimals.
+function numbersTable(title, corner, columns, rows, values, digits, help) {
+  return el('details', { class: 'figure-table' }, el('summary', { title: help }, title), el('div', { class: 'scroll' },
+    el('table', {}, el('caption', { class: 'hidden' }, title),
+      el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, corner), ...columns.map((name) => el('th', { scope: 'col' }, name)))),
+      el('tbody', {}, ...values.map((numbers, i) => el('tr', {}, el('th', { scope: 'row' }, rows[i]),
+        ...numbers.map((number) => el('td', {}, number.toFixed(digits)))))))));
+}
+
+// UGR below 10 is of no use, as catalogues print it.
+function ugrTable(info) {
+  const table = numbersTable('UGR table, spacing 0.25 H', 'X × Y', [...info.ugr_reflectances, ...info.ugr_reflectances],
+    info.ugr_rooms.map((room) => room.replace('x', 'H × ') + 'H'), info.ugr_table, 1, info.figure_rules?.ugr_table);
+  for (const cell of table.querySelectorAll('td')) if (Number(cell.textContent) < 10) cell.textContent = '<10';
+  table.querySelector('thead').prepend(el('tr', {}, el('td'), el('th', { scope: 'colgroup', colspan: 5 }, 'crosswise'), el('th', { scope: 'colgroup', colspan: 5 }, 'endwise')));
+  return table;
+}
+
+function figureTables(info) {
+  const tables = [];
+  if (info.ugr_table) tables.push(ugrTable(info));
+  if (info.utilisation_factors) tables.push(numbersTable('Utilisation factors', 'k', info.utilisation_reflectances,
+    info.room_indices.map(String), info.utilisation_factors, 2, info.figure_rules?.utilisation_factors));
+  return tables;
 }
 
 export function factsCard() {
@@ -131,7 +186,7 @@ export function factsCard() {
   let current;
   section.show = (file) => {
     current = file;
-    if (file?.info) fill(body, table(file.info));
+    if (file?.info) fill(body, table(file.info), ...figureTables(file.info));
     else fill(body, el('p', { class: 'muted pad' }, file?.state === 'reading' ? 'Reading…' : 'No facts: the file cannot be read.'));
   };
   on('prefs', () => {

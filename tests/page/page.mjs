@@ -160,7 +160,8 @@ await allRead(tab, good.length + broken.length);
     if (checked.readable) {
       await tab.waitForFunction((name) => document.querySelector('.file-title').textContent === name && document.querySelector('.facts-table'), {}, basename(path));
       const shown = await tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.facts-card [data-key]')].map((cell) => [cell.dataset.key, { raw: JSON.parse(cell.dataset.raw), text: cell.querySelector('.number')?.textContent }])));
-      const expected = withoutFigures(nativeJson('info', '--json', '--all', path));
+      const whole = nativeJson('info', '--json', '--all', path);
+      const expected = withoutFigures(whole);
       const seen = (value, key) => {
         if (value === null || value === '') return;
         if (typeof value === 'object') {
@@ -177,6 +178,14 @@ await allRead(tab, good.length + broken.length);
       };
       for (const [key, value] of Object.entries(expected))
         if (!['schema', 'file', 'diagnostics', 'ten_degree_zones_lm'].includes(key)) seen(value, key);
+      // Of the figures those with one value, and the tables.
+      for (const key of ['light_output_ratios.lor', 'distribution_class', 'bug.rating', 'cut_off', 'luminous_intensity_class', 'glare_index.class']) {
+        const value = key.split('.').reduce((part, name) => part?.[name], whole) ?? null;
+        if (typeof value === 'number') assert.ok(Math.abs(shown[key].raw - value) <= 1e-13, `${path}: ${key}`);
+        else assert.equal(shown[key].raw, value, `${path}: ${key}`);
+      }
+      const cells = await tab.evaluate(() => [...document.querySelectorAll('.figure-table table')].map((table) => table.querySelectorAll('tbody td').length));
+      assert.deepEqual(cells, [...(whole.ugr_table ? [190] : []), ...(whole.utilisation_factors ? [80] : [])], `${path}: tables of figures`);
     }
     // Findings: code, place and sentence.
     await tab.waitForFunction((n) => n === 0 ? document.querySelector('.findings-card .ok') : document.querySelectorAll('.finding').length >= Math.min(n, 50), { timeout: 90000 }, checked.diagnostics.length);

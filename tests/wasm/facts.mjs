@@ -1,4 +1,4 @@
-// What `gonio info --json` says without the figures of a luminaire, which the core module and the page's table do not have.
+// What `gonio info --json` says without the figures of a luminaire, which the core module does not have.
 export function withoutFigures(report) {
   const keys = Object.keys(report);
   const first = keys.indexOf('light_output_ratios');
