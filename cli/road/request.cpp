@@ -110,6 +110,11 @@ Result<RoadRequest> parse_road(const Arguments& arguments, Diagnostics& diagnost
     if (!luminaire) return pass_on(luminaire);
     request.luminaire = std::move(*luminaire);
     plan.street_side_c_deg = request.luminaire.street_side_c_deg;
+    if (const auto text = arguments.value("--rotate")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
+        if (!angle) return pass_on(angle);
+        plan.street_side_c_deg -= to_degrees(Radians(*angle));
+    }
     return request;
 }
 

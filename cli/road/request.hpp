@@ -28,6 +28,7 @@ inline constexpr std::array road_luminaire_options{
     Option{"--height", "LENGTH", "of the luminaires above the road (8m)"},
     Option{"--overhang", "LENGTH", "of the luminaires over the road, from its edge; less than 0: beside it (0m)"},
     Option{"--tilt", "ANGLE", "of the luminaires, so that their light goes farther across (0deg)"},
+    Option{"--rotate", "ANGLE", "turn the luminaires, C0 towards C90 (0deg: the street side faces across the road)"},
     Option{"--maintenance", "FACTOR", "maintenance factor of luminances and illuminances, 0.8 or 80% (0.8)"},
     flux_option,
 };
