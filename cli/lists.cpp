@@ -374,6 +374,7 @@ Entries targets() {
 }
 
 constexpr std::array lists{
+    NamedList{"arrangements", "where the luminaires of road are", road_arrangement_names},
     NamedList{"cie-skies", "general skies of the CIE", cie_skies},
     NamedList{"coats", "what a clear coat leaves of the material below", coats},
     NamedList{"color-methods", "formulas for the colour of a temperature", color_method_names},
@@ -400,7 +401,6 @@ constexpr std::array lists{
     NamedList{"presets", "everyday sources", presets},
     NamedList{"programs", "programs of units --for", programs},
     NamedList{"quantities", "illuminances of probe", quantities},
-    NamedList{"road-arrangements", "where the luminaires of road are", road_arrangement_names},
     NamedList{"road-surfaces", "r-tables of road surfaces", road_surfaces},
 #ifndef GONIO_NO_BENCH
     NamedList{"scalings", "what bench --scaling measures", scalings},

@@ -23,7 +23,7 @@ inline constexpr std::array road_options{
 };
 
 inline constexpr std::array road_luminaire_options{
-    Option{"--arrangement", "NAME", "single, opposite, staggered or central (single)", "road-arrangements"},
+    Option{"--arrangement", "NAME", "single, opposite, staggered or central (single)", "arrangements"},
     Option{"--spacing", "LENGTH", "between the luminaires of a row (with --task: the widest that passes)"},
     Option{"--height", "LENGTH", "of the luminaires above the road (8m)"},
     Option{"--overhang", "LENGTH", "of the luminaires over the road, from its edge; less than 0: beside it (0m)"},
