@@ -22,6 +22,7 @@ struct State {
     std::vector<std::string> folders;
     const void* image = nullptr;
     const void* color = nullptr;
+    const void* pdf = nullptr;
 };
 
 State& state() {
@@ -142,6 +143,12 @@ Result<const abi::ImageModule*> image_module() {
 Result<const abi::ColorModule*> color_module() {
     return open_once(&State::color, color_module_name).map([](const void* table) {
         return static_cast<const abi::ColorModule*>(table);
+    });
+}
+
+Result<const abi::PdfModule*> pdf_module() {
+    return open_once(&State::pdf, pdf_module_name).map([](const void* table) {
+        return static_cast<const abi::PdfModule*>(table);
     });
 }
 
