@@ -178,7 +178,10 @@ Result<void> read_luminaire(const Arguments& arguments, RoomRequest& request, Di
     if (!loaded) return pass_on(loaded);
     diagnostics = loaded->diagnostics;
     request.ra = declared_ra(loaded->profile);
-    if (const double watts = header_of(loaded->profile).input_watts; watts > 0.0) request.input_w = watts;
+    const ProfileHeader header = header_of(loaded->profile);
+    if (header.input_watts > 0.0) request.input_w = header.input_watts;
+    request.name = keyword_text(header, "LUMINAIRE");
+    if (request.name.empty()) request.name = keyword_text(header, "LUMCAT");
     return {};
 }
 

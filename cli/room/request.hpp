@@ -32,6 +32,7 @@ inline constexpr std::array room_options{
 struct RoomRequest {
     std::string size; // as given
     std::string file; // of the luminaire
+    std::string name; // of the luminaire, as the profile states it
     LightDescription luminaire;
     RoomPlanRequest plan;
     std::string flux;              // as given; empty: as measured

@@ -3,7 +3,6 @@
 #include <gonio/base/path.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/figures/glare.hpp>
-#include <gonio/light/photometry.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/receiver_grid.hpp>
@@ -12,6 +11,7 @@
 
 #include "../facts_text.hpp"
 #include "../options/glare_text.hpp"
+#include "../options/light_flux.hpp"
 #include "../options/points_input.hpp"
 #include "../options/profile_size.hpp"
 #include "../options/rig_input.hpp"
@@ -42,6 +42,7 @@ struct LitRoom {
 
 Result<void> light_up(LitRoom& room, const RigPageOptions& options) {
     LightingOptions lighting;
+    lighting.bounces = all_bounces;
     lighting.threads = options.threads;
     ProbeOptions exact;
     exact.parts = true;
@@ -76,14 +77,6 @@ Result<void> light_up(LitRoom& room, const RigPageOptions& options) {
     return {};
 }
 
-std::optional<double> flux_of(const Light& light) {
-    Result<ShapePhotometry> photometry = ShapePhotometry::of(light.shape);
-    const Result<PhotometricUnit> lumen = parse_photometric_unit("lm");
-    if (!photometry || !lumen) return std::nullopt;
-    const Result<double> flux = photometry->express({light.intensity, light.luminance, light.illuminance}, *lumen);
-    return flux ? std::optional(*flux) : std::nullopt;
-}
-
 // Watts and name of a luminaire, from its profile.
 void add_profile(const std::string& file, RoomSheetLuminaire& luminaire) {
     const Result<Profile> profile = read_profile_file(file);
@@ -109,15 +102,15 @@ void add_luminaires(const LitRoom& room, RoomSheetContent& content) {
         const std::string shape = profile != nullptr ? profile->file : std::string(kind_of(light.shape));
         const std::string mounting = std::holds_alternative<SunShape>(light.shape)
                                          ? std::string("sun")
-                                         : fmt::format("at {} m", rounded(light.frame.origin.z, 4));
-        const std::optional<double> flux_lm = flux_of(light);
+                                         : fmt::format("at {} m", rounded(light.frame.origin.z, 3));
+        const std::optional<double> lumens = flux_lm(light);
         const auto [kind, is_new] =
-            kinds.emplace(fmt::format("{}\n{}\n{}", shape, mounting, rounded(flux_lm.value_or(0.0), 6)), files.size());
+            kinds.emplace(fmt::format("{}\n{}\n{}", shape, mounting, rounded(lumens.value_or(0.0), 6)), files.size());
         if (is_new) {
             RoomSheetLuminaire luminaire;
             luminaire.name = profile != nullptr ? file_name(profile->file) : shape;
             luminaire.mounting = mounting;
-            luminaire.flux_lm = flux_lm;
+            luminaire.flux_lm = lumens;
             if (profile != nullptr) add_profile(profile->file, luminaire);
             content.luminaires.push_back(std::move(luminaire));
             files.push_back(shape);
@@ -164,6 +157,7 @@ RoomSheetContent content_of(const std::string& file, const LitRoom& room, const 
                             std::optional<TaskInput>& task) {
     RoomSheetContent content;
     content.title = room.stage.name.empty() ? file_name(file) : room.stage.name;
+    content.flux_head = "flux in use"; // dimmed and maintained
     content.source = file == "-" ? "stdin" : file_name(file);
     const ReceiverGrid& grid = *room.points.grid;
     add_luminaires(room, content);

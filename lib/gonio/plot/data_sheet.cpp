@@ -132,12 +132,13 @@ std::string reference_ugr(const UgrTable& table) {
     const auto* const room = std::find_if(ugr_rooms.begin(), ugr_rooms.end(),
                                           [](const UgrRoom& each) { return each.across == 4 && each.along == 8; });
     const auto& row = table.at(static_cast<std::size_t>(room - ugr_rooms.begin()));
-    return fmt::format("{} crosswise, {} endwise", one_ugr(row[0]), one_ugr(row[ugr_reflectances.size()]));
+    return fmt::format("{} crosswise, {} endwise, for {}", one_ugr(row[0]), one_ugr(row[ugr_reflectances.size()]),
+                       to_text(ugr_reflectances[0]));
 }
 
 SheetLine luminance_line(const LuminaireFigures& figures) {
-    return figure_line("Luminance", figures.luminances, "luminances", [](const LuminanceDiagram& diagram) {
-        return fmt::format("at most {} / {} / {} cd/m² at 65° / 75° / 85°", nits(diagram.greatest_nt(65)),
+    return figure_line("Greatest luminance", figures.luminances, "luminances", [](const LuminanceDiagram& diagram) {
+        return fmt::format("{} / {} / {} cd/m² at 65 / 75 / 85°", nits(diagram.greatest_nt(65)),
                            nits(diagram.greatest_nt(75)), nits(diagram.greatest_nt(85)));
     });
 }
@@ -150,9 +151,7 @@ SheetLine upward_line(const LuminaireFigures& figures) {
 std::vector<SheetLine> indoor_lines(const DataSheetContent& content) {
     const LuminaireFigures& figures = content.figures;
     std::vector<SheetLine> lines;
-    SheetLine ugr = figure_line("UGR 4H × 8H", figures.ugr, "ugr_table", reference_ugr);
-    if (figures.ugr) ugr.name += ", 70/50/20";
-    lines.push_back(std::move(ugr));
+    lines.push_back(figure_line("UGR 4H × 8H", figures.ugr, "ugr_table", reference_ugr));
     lines.push_back(luminance_line(figures));
     lines.push_back(output_line(figures));
     lines.push_back(figure_line("Distribution", figures.distribution, "distribution_class",
@@ -218,11 +217,7 @@ private:
         sheet_.pages.push_back(page.take());
     }
 
-    // A heading and below it a diagram of the web.
-    void web_diagram(SheetPage& page, const Area& area, std::string_view title, std::string_view kind, double across_px,
-                     std::string_view rule = {}) const {
-        Area box = area;
-        box.top = page.heading(area, title, rule);
+    void web_diagram(SheetPage& page, const Area& box, std::string_view kind, double across_px) const {
         page.diagram(box, across_px, [&](int width_px, int height_px) -> Result<Drawing> {
             const PlottedWeb plotted{page_text(content_.file).text, content_.web};
             PlotOptions options;
@@ -237,6 +232,13 @@ private:
         });
     }
 
+    // A heading and below it a diagram of the web.
+    void titled_diagram(SheetPage& page, Area area, std::string_view title, std::string_view kind, double across_px,
+                        std::string_view rule = {}) const {
+        area.top = page.heading(area, title, rule);
+        web_diagram(page, area, kind, across_px);
+    }
+
     std::string at_height() const { return fmt::format("{} m high", rounded(height_m_, 4)); }
 
     void first_page() {
@@ -244,7 +246,7 @@ private:
         const Area left = page.left_half();
         const Area right = page.right_half();
         const double height = page.area().height() - 2.0 * row_gap_pt;
-        const double second = left.top + 0.37 * height + row_gap_pt;
+        const double second = left.top + 0.35 * height + row_gap_pt;
         const double third = second + 0.34 * height + row_gap_pt;
         const auto row = [](Area area, double top, double bottom) {
             area.top = top;
@@ -255,14 +257,14 @@ private:
         Area data = row(left, left.top, second - row_gap_pt);
         data.top = page.heading(data, "Luminaire");
         page.list(data, data_lines(content_), names_pt);
-        web_diagram(page, row(right, right.top, second - row_gap_pt), "Luminous intensity", "polar", diagram_px);
-        web_diagram(page, row(left, second, third - row_gap_pt), "Luminous intensity by angle", "cartesian",
-                    diagram_px);
+        titled_diagram(page, row(right, right.top, second - row_gap_pt), "Luminous intensity", "polar", diagram_px);
+        titled_diagram(page, row(left, second, third - row_gap_pt), "Luminous intensity by angle", "cartesian",
+                       diagram_px);
         if (is_outdoor_)
             opening(page, row(right, second, third - row_gap_pt));
         else
-            web_diagram(page, row(right, second, third - row_gap_pt), "Beam cone", "cone", 430.0,
-                        fmt::format("down to {} m", rounded(height_m_, 4)));
+            titled_diagram(page, row(right, second, third - row_gap_pt), "Beam cone", "cone", 450.0,
+                           fmt::format("down to {} m", rounded(height_m_, 4)));
 
         Area figures = row(is_outdoor_ ? page.area() : right, third, page.area().bottom);
         if (!is_outdoor_) opening(page, row(left, third, page.area().bottom));
@@ -324,7 +326,7 @@ private:
         std::vector<std::string> floor{"Floor %"};
         for (const std::string_view view : {"crosswise", "endwise"})
             for (std::size_t i = 0; i < ugr_reflectances.size(); ++i) {
-                views.emplace_back(i + 1 == ugr_reflectances.size() ? view : std::string_view());
+                views.emplace_back(i == ugr_reflectances.size() / 2 ? view : std::string_view());
                 ceiling.push_back(percent(ugr_reflectances[i].ceiling));
                 walls.push_back(percent(ugr_reflectances[i].walls));
                 floor.push_back(percent(ugr_reflectances[i].floor));
@@ -401,9 +403,16 @@ private:
 
     void outdoor_page() {
         SheetPage page(furniture_, 2, pages);
+        // A square, in the middle.
         Area isolux = page.area();
-        isolux.bottom = isolux.top + 0.56 * page.area().height();
-        web_diagram(page, isolux, "Illuminance on the ground in lx", "isolux", 640.0, at_height());
+        const double tables_pt = 130.0;
+        isolux.bottom -= tables_pt + row_gap_pt;
+        Area box = isolux;
+        box.top = page.heading(isolux, "Illuminance on the ground", at_height() + ", in lx");
+        const double spare = std::max(0.0, box.width() - box.height());
+        box.left += 0.5 * spare;
+        box.right -= 0.5 * spare;
+        web_diagram(page, box, "isolux", 700.0);
         const double top = isolux.bottom + row_gap_pt;
         Area left = page.left_half();
         Area right = page.right_half();

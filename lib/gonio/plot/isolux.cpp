@@ -120,7 +120,7 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
     const std::vector<double> inside = [&] { // the ticks within the square, and its edges
         std::vector<double> at{-extent_m};
         for (const double meter : meters)
-            if (meter > -0.999 * extent_m && meter < 0.999 * extent_m) at.push_back(meter);
+            if (meter > -0.92 * extent_m && meter < 0.92 * extent_m) at.push_back(meter); // room for the numbers
         at.push_back(extent_m);
         return at;
     }();

@@ -104,7 +104,7 @@ Result<Drawing> opening_diagram(const Opening& opening, int width_px, int height
                                       room_x / std::max(largest_m, 1e-9),
                                       has_side ? (width_px - half - number_px) / std::max(size.x, 1e-9) : 1e12});
     const double middle_y = above_px + 0.5 * room_y;
-    const Box plan{{30.0 + 0.5 * room_x, middle_y}, px_per_m * size.x, px_per_m * size.y};
+    const Box plan{{has_side ? 30.0 + 0.5 * room_x : 0.46 * width_px, middle_y}, px_per_m * size.x, px_per_m * size.y};
     draw_shape(page, plan, is_round_from_above(opening.shape));
     page.text({8.0, 12.0}, "from above, C0 →, C90 ↑", {TextAnchor::start, letters_px, dimension_ink});
     if (size.x > 0.0) draw_width(page, plan, size.x);

@@ -134,13 +134,15 @@ double SheetPage::list(const Area& area, const std::vector<SheetLine>& lines, do
     const double line_pt = 1.3 * body_pt;
     for (const SheetLine& line : lines) {
         const double left = area.left + names_pt;
-        const double rule_pt = line.rule.empty() ? 0.0 : 1.3 * small_pt;
+        const double rule_pt =
+            line.rule.empty() ? 0.0
+                              : 1.3 * small_pt * (page_text_width(line.rule, small_pt) > area.right - left ? 2.0 : 1.0);
         if (y + line_pt + rule_pt + 2.0 > area.bottom + 0.01) break;
         const auto fitting = static_cast<std::size_t>((area.bottom - y - rule_pt - 2.0) / line_pt + 0.01);
         text({area.left, y + line_pt - 1.4}, line.name, names_pt - 6.0, {TextAnchor::start, body_pt, soft_ink});
         y = paragraph({left, y + 0.5}, area.right - left, line.value, body_pt, text_ink,
                       std::max(std::size_t{1}, std::min(most_lines, fitting)));
-        if (!line.rule.empty()) y = paragraph({left, y}, area.right - left, line.rule, small_pt, soft_ink, 1);
+        if (!line.rule.empty()) y = paragraph({left, y}, area.right - left, line.rule, small_pt, soft_ink, 2);
         y += 1.5;
         page_.line({area.left, y}, {area.right, y}, {faint_ink, 0.4});
     }

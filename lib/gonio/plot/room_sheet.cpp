@@ -15,7 +15,9 @@ namespace {
 
 constexpr double row_gap_pt = 12.0;
 constexpr double names_pt = 84.0;
-constexpr double plan_px = 640.0; // width that the plan is drawn for
+constexpr double plan_px = 640.0;                // width that the plan is drawn for
+constexpr double plan_furniture_wide_px = 172.0; // numbers, names and scale beside the plan
+constexpr double plan_furniture_high_px = 92.0;
 constexpr std::size_t most_luminaires = 12;
 
 std::string amount(double value) {
@@ -86,6 +88,13 @@ Result<RoomSheet> room_sheet(const RoomSheetContent& content, PaperSize paper) {
     plot.title.clear();
     plot.facts.clear();
     plan.top = page.heading(plan, content.plot.title.empty() ? "Plan" : content.plot.title, content.plot.facts);
+    // The plan's own proportions, with its numbers and names: no gap below it.
+    const double scale = plan.width() / plan_px;
+    const double across_m = plot.width_m + 2.0 * plot.margin_m;
+    const double along_m = plot.height_m + 2.0 * plot.margin_m;
+    plan.bottom = std::min(
+        plan.bottom, plan.top + scale * std::max(160.0, plan_furniture_high_px +
+                                                            (plan_px - plan_furniture_wide_px) * along_m / across_m));
     bool left_out = false;
     std::optional<Error> error;
     page.diagram(plan, plan_px, [&](int width_px, int height_px) {
@@ -114,7 +123,7 @@ Result<RoomSheet> room_sheet(const RoomSheetContent& content, PaperSize paper) {
     const auto number = [](const std::optional<double>& value, std::string_view unit) {
         return value ? fmt::format("{} {}", amount(*value), unit) : std::string("–");
     };
-    row("", {"count", "power", "flux", "mounting"}, soft_ink, false);
+    row("", {"count", "power", content.flux_head, "mounting"}, soft_ink, false);
     std::size_t count = 0;
     std::optional<double> watts = 0.0;
     std::optional<double> lumens = 0.0;

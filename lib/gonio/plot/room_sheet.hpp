@@ -37,6 +37,7 @@ struct RoomSheetContent {
     std::string task;                                       // title and rule; empty: none
     std::vector<Verdict> verdicts;
     std::vector<RoomSheetLuminaire> luminaires;
+    std::string flux_head = "flux"; // of their column
     GridPlot plot;
 };
 
