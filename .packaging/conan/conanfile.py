@@ -48,6 +48,8 @@ class GonioConan(ConanFile):
         if self.options.modules:
             self.requires("openimageio/[>=2.4 <3]")
             self.requires("opencolorio/[>=2.1 <3]")
+            self.requires("cairo/[>=1.16 <2]")
+            self.requires("freetype/[>=2.12 <3]")
 
     def validate(self):
         check_min_cppstd(self, 20)

@@ -158,6 +158,7 @@ RoomSheetContent content_of(const std::string& file, const LitRoom& room, const 
     RoomSheetContent content;
     content.title = room.stage.name.empty() ? file_name(file) : room.stage.name;
     content.flux_head = "flux in use"; // dimmed and maintained
+    content.glare_rule = "CIE 117:1995, of the light in use";
     content.source = file == "-" ? "stdin" : file_name(file);
     const ReceiverGrid& grid = *room.points.grid;
     add_luminaires(room, content);
@@ -245,7 +246,10 @@ Result<RigPage> rig_page(const std::string& file, const Arguments& arguments, co
     room.stage = std::move(*stage);
     room.points.workplane = Workplane{options.plane_height_m, options.wall_zone_m, {}};
     room.points.receivers.emplace_back();
-    if (Result<void> placed = place_on(room.stage, room.points); !placed) return pass_on(placed);
+    if (Result<void> placed = place_on(room.stage, room.points); !placed) {
+        error_hint(placed.error(), "a sheet is of a room: 'gonio room … -o room.json' writes a rig with one");
+        return pass_on(placed);
+    }
     room.area = area_between_walls(room.stage, options.plane_height_m).value_or(FloorArea());
     Result<std::vector<Light>> lights = resolve_input(std::move(*input), diagnostics, options.threads);
     if (!lights) return pass_on(lights);

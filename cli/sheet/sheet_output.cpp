@@ -127,10 +127,7 @@ Result<void> write_sheet(const SheetOutput& output, std::span<const Drawing> pag
 void add_letters_note(std::size_t replaced, const std::string& file, Diagnostics& diagnostics) {
     if (replaced == 0) return;
     diagnostics.push_back(result_diagnostic(
-        "RES0210",
-        fmt::format("{} letter{} of the texts {} not in the font of the sheet, and {} shown as U+FFFD", replaced,
-                    replaced == 1 ? "" : "s", replaced == 1 ? "is" : "are", replaced == 1 ? "is" : "are"),
-        {}, file));
+        "RES0210", "letters of the texts are not in the font of the sheet, and are shown as U+FFFD", {}, file));
 }
 
 } // namespace gonio::cli

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Checks that a program starts without OpenImageIO and OpenColorIO.
+# Checks that a program starts without OpenImageIO, OpenColorIO and cairo.
 #
-#   linkage.sh PROGRAM [ARGUMENT…]   fails when PROGRAM needs either, or when running it as given opens either
+#   linkage.sh PROGRAM [ARGUMENT…]   fails when PROGRAM needs one, or when running it as given opens one
 set -euo pipefail
 
 program=${1:?"usage: linkage.sh PROGRAM [ARGUMENT…]"}
 shift
-heavy='OpenImageIO|OpenColorIO|gonio-(image|color)\.so'
+heavy='OpenImageIO|OpenColorIO|libcairo|libfreetype|gonio-(image|color|pdf)\.so'
 
 needed=$(ldd "$program")
 if grep -E "$heavy" <<< "$needed"; then
@@ -20,4 +20,4 @@ if (($#)); then
         exit 1
     fi
 fi
-echo "$program starts without OpenImageIO and OpenColorIO"
+echo "$program starts without OpenImageIO, OpenColorIO and cairo"

@@ -47,7 +47,7 @@ struct DataSheetOptions {
 struct DataSheet {
     std::vector<Drawing> pages;
     bool is_outdoor = false;
-    std::size_t replaced = 0; // letters that the font does not have
+    std::size_t replaced = 0; // letters that the font does not have, wherever they are shown
 };
 
 DataSheet data_sheet(const DataSheetContent& content, const DataSheetOptions& options = {});

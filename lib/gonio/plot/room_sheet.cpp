@@ -73,7 +73,7 @@ Result<RoomSheet> room_sheet(const RoomSheetContent& content, PaperSize paper) {
         right.top = page.table(right, verdict_rows(content.verdicts)) + row_gap_pt;
     }
     if (!content.glare.empty()) {
-        right.top = page.heading(right, "UGR", "CIE 117:1995");
+        right.top = page.heading(right, "UGR", content.glare_rule);
         right.top = page.list(right, lines_of(content.glare), names_pt);
     }
 

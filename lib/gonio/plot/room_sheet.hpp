@@ -34,14 +34,15 @@ struct RoomSheetContent {
     std::string source;                                     // the file, or what was asked for
     std::vector<std::pair<std::string, std::string>> facts; // "Mean illuminance", "730 lx"
     std::vector<std::pair<std::string, std::string>> glare; // "Towards +X", "21.1"
-    std::string task;                                       // title and rule; empty: none
+    std::string glare_rule = "CIE 117:1995";
+    std::string task; // title and rule; empty: none
     std::vector<Verdict> verdicts;
     std::vector<RoomSheetLuminaire> luminaires;
     std::string flux_head = "flux"; // of their column
     GridPlot plot;
 };
 
-// One page, and the letters that the font does not have.
+// One page, and how many letters that the font does not have are on it.
 struct RoomSheet {
     std::vector<Drawing> pages;
     std::size_t replaced = 0;

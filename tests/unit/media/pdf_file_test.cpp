@@ -1,4 +1,5 @@
 #include <gonio/media/detail/open_module.hpp>
+#include <gonio/media/module.hpp>
 #include <gonio/media/pdf_file.hpp>
 #include <gonio/plot/page_font_widths.hpp>
 
@@ -74,7 +75,7 @@ TEST_F(Pdf, ItIsValidAndHasItsFontsAndPages) {
     const Result<std::string> pdf = to_pdf(pages, {"Title", "Maker", {}});
     ASSERT_TRUE(pdf) << pdf.error().diagnostics.back().message;
     expect_valid(*pdf);
-    EXPECT_EQ(count_of(*pdf, "/Type /Page\n"), 2U);
+    EXPECT_EQ(count_of(*pdf, "/Type /Page "), 2U);
     EXPECT_GE(count_of(*pdf, "/FontFile2") + count_of(*pdf, "/FontFile3"), 2U); // regular and bold
     EXPECT_GE(count_of(*pdf, "/ToUnicode"), 2U);
     EXPECT_NE(pdf->find("+DejaVuSans-Bold"), std::string::npos);
@@ -128,10 +129,12 @@ TEST_F(Pdf, WidthsAreThoseOfTheFonts) {
                 text = {static_cast<char>(0xE0U | code >> 12U), static_cast<char>(0x80U | (code >> 6U & 0x3FU)),
                         static_cast<char>(0x80U | (code & 0x3FU))};
             }
-            for (const bool is_bold : {false, true})
-                if (const auto width = plot_detail::letter_width(code, is_bold))
-                    EXPECT_NEAR((*module)->text_width(document, text.c_str(), is_bold ? 1 : 0), *width / 2048.0, 1e-9)
-                        << std::hex << static_cast<unsigned>(code);
+            for (const bool is_bold : {false, true}) {
+                const auto width = plot_detail::letter_width(code, is_bold);
+                if (!width) continue;
+                EXPECT_NEAR((*module)->text_width(document, text.c_str(), is_bold ? 1 : 0), *width / 2048.0, 1e-9)
+                    << std::hex << static_cast<unsigned>(code);
+            }
         }
     (*module)->close(document);
 }
