@@ -4,6 +4,7 @@
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/diagram_page.hpp>
+#include <gonio/plot/page_font.hpp>
 #include <gonio/plot/stroke_font.hpp>
 
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ void label_line(Drawing& page, const Chart& chart, const ContourLine& line, doub
     }
     if (length < 60.0) return; // the number would hide the line
     const std::string text = rounded(level);
-    const double half_width = 0.5 * text_width_px(text, number_px);
+    const double half_width = 0.5 * std::max(text_width_px(text, number_px), page_text_width(text, number_px));
     const Area& inner = chart.inner();
     for (PagePoint at : ends) {
         at.x = std::clamp(at.x, inner.left + 14.0, inner.right - 14.0);

@@ -140,8 +140,9 @@ double SheetPage::list(const Area& area, const std::vector<SheetLine>& lines, do
         if (y + line_pt + rule_pt + 2.0 > area.bottom + 0.01) break;
         const auto fitting = static_cast<std::size_t>((area.bottom - y - rule_pt - 2.0) / line_pt + 0.01);
         text({area.left, y + line_pt - 1.4}, line.name, names_pt - 6.0, {TextAnchor::start, body_pt, soft_ink});
-        y = paragraph({left, y + 0.5}, area.right - left, line.value, body_pt, text_ink,
-                      std::max(std::size_t{1}, std::min(most_lines, fitting)));
+        const double below = paragraph({left, y + 0.5}, area.right - left, line.value, body_pt, text_ink,
+                                       std::max(std::size_t{1}, std::min(most_lines, fitting)));
+        y = std::max(below, y + 0.5 + line_pt); // an empty value takes a line too
         if (!line.rule.empty()) y = paragraph({left, y}, area.right - left, line.rule, small_pt, soft_ink, 2);
         y += 1.5;
         page_.line({area.left, y}, {area.right, y}, {faint_ink, 0.4});
