@@ -1,3 +1,4 @@
+#include <gonio/base/limits.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -68,6 +69,9 @@ Result<SheetRequest> parse(const Arguments& arguments) {
     SheetRequest request;
     Result<std::vector<std::string>> files = input_files(arguments);
     if (!files) return pass_on(files);
+    if (files->size() > limit("sheet-files").value)
+        return fail("USE0106", fmt::format("{} files are more than {}", files->size(), to_text(limit("sheet-files"))),
+                    std::string(limits_hint));
     request.files = std::move(*files);
     if (const auto use = arguments.value("--use")) {
         constexpr std::array uses{Named{"auto", LuminaireUse::automatic}, Named{"indoor", LuminaireUse::indoor},

@@ -132,8 +132,7 @@ std::string reference_ugr(const UgrTable& table) {
     const auto* const room = std::find_if(ugr_rooms.begin(), ugr_rooms.end(),
                                           [](const UgrRoom& each) { return each.across == 4 && each.along == 8; });
     const auto& row = table.at(static_cast<std::size_t>(room - ugr_rooms.begin()));
-    return fmt::format("{} crosswise, {} endwise, for {}", one_ugr(row[0]), one_ugr(row[ugr_reflectances.size()]),
-                       to_text(ugr_reflectances[0]));
+    return fmt::format("{} crosswise, {} endwise, 4H × 8H", one_ugr(row[0]), one_ugr(row[ugr_reflectances.size()]));
 }
 
 SheetLine luminance_line(const LuminaireFigures& figures) {
@@ -151,7 +150,7 @@ SheetLine upward_line(const LuminaireFigures& figures) {
 std::vector<SheetLine> indoor_lines(const DataSheetContent& content) {
     const LuminaireFigures& figures = content.figures;
     std::vector<SheetLine> lines;
-    lines.push_back(figure_line("UGR 4H × 8H", figures.ugr, "ugr_table", reference_ugr));
+    lines.push_back(figure_line("UGR " + to_text(ugr_reflectances[0]), figures.ugr, "ugr_table", reference_ugr));
     lines.push_back(luminance_line(figures));
     lines.push_back(output_line(figures));
     lines.push_back(figure_line("Distribution", figures.distribution, "distribution_class",
@@ -256,7 +255,7 @@ private:
 
         Area data = row(left, left.top, second - row_gap_pt);
         data.top = page.heading(data, "Luminaire");
-        page.list(data, data_lines(content_), names_pt);
+        page.list(data, data_lines(content_), names_pt, 2);
         titled_diagram(page, row(right, right.top, second - row_gap_pt), "Luminous intensity", "polar", diagram_px);
         titled_diagram(page, row(left, second, third - row_gap_pt), "Luminous intensity by angle", "cartesian",
                        diagram_px);

@@ -130,21 +130,33 @@ double SheetPage::heading(const Area& area, std::string_view title, std::string_
 }
 
 double SheetPage::list(const Area& area, const std::vector<SheetLine>& lines, double names_pt, std::size_t most_lines) {
-    double y = area.top;
+    const double left = area.left + names_pt;
+    const double width = area.right - left;
     const double line_pt = 1.3 * body_pt;
+    const auto lines_of = [](std::string_view bytes, double across, double size, std::size_t most) {
+        return static_cast<double>(std::max<std::size_t>(1, wrapped(page_text(bytes).text, across, size, most).size()));
+    };
+    const auto height_of = [&](const SheetLine& line, std::size_t most) {
+        return 0.5 + line_pt * lines_of(line.value, width, body_pt, most) +
+               (line.rule.empty() ? 0.0 : 1.3 * small_pt * lines_of(line.rule, width, small_pt, 2)) + 1.5;
+    };
+    // Long values take fewer lines where all of them would not fit.
+    std::size_t most = most_lines;
+    for (; most > 1; --most) {
+        double height = 0.0;
+        for (const SheetLine& line : lines)
+            height += height_of(line, most);
+        if (area.top + height <= area.bottom) break;
+    }
+    double y = area.top;
     for (const SheetLine& line : lines) {
-        const double left = area.left + names_pt;
-        const double rule_pt =
-            line.rule.empty() ? 0.0
-                              : 1.3 * small_pt * (page_text_width(line.rule, small_pt) > area.right - left ? 2.0 : 1.0);
-        if (y + line_pt + rule_pt + 2.0 > area.bottom + 0.01) break;
-        const auto fitting = static_cast<std::size_t>((area.bottom - y - rule_pt - 2.0) / line_pt + 0.01);
+        const double below = y + height_of(line, most);
+        if (below > area.bottom + 0.01) break;
         text({area.left, y + line_pt - 1.4}, line.name, names_pt - 6.0, {TextAnchor::start, body_pt, soft_ink});
-        const double below = paragraph({left, y + 0.5}, area.right - left, line.value, body_pt, text_ink,
-                                       std::max(std::size_t{1}, std::min(most_lines, fitting)));
-        y = std::max(below, y + 0.5 + line_pt); // an empty value takes a line too
-        if (!line.rule.empty()) y = paragraph({left, y}, area.right - left, line.rule, small_pt, soft_ink, 2);
-        y += 1.5;
+        const double end = paragraph({left, y + 0.5}, width, line.value, body_pt, text_ink, most);
+        if (!line.rule.empty())
+            paragraph({left, std::max(end, y + 0.5 + line_pt)}, width, line.rule, small_pt, soft_ink, 2);
+        y = below;
         page_.line({area.left, y}, {area.right, y}, {faint_ink, 0.4});
     }
     return y;

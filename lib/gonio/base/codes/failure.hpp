@@ -68,7 +68,8 @@ inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
      "The profile states that its intensities are not candela (WEB0110), so it has no lumens, lux or nits. "
      "--as-candela takes its numbers as candela; 'gonio edit FILE --as-candela' writes a profile that says so."},
     {"UNS0105", Severity::error, Strict::same, "fonts that are missing",
-     "A PDF contains the letters of its text, from DejaVu Sans and DejaVu Sans Bold. The message states where they were "
+     "A PDF contains the letters of its text, from DejaVu Sans and DejaVu Sans Bold. The message states where they "
+     "were "
      "looked for; Debian's package fonts-dejavu-core has them, and --fonts names another folder."},
 
     {"INT0101", Severity::error, Strict::same, "internal error",
