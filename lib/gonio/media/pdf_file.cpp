@@ -2,6 +2,7 @@
 #include <gonio/base/version.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/pdf_file.hpp>
+#include <gonio/profile/text_encoding.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,8 +49,9 @@ public:
     }
     void operator()(const WrittenText& step) {
         const TextStyle& style = step.style;
+        const std::string utf8 = to_utf8(step.text); // cairo refuses a document for a text that is not
         const abi::PdfText text{
-            step.text.c_str(),  step.at.x,     step.at.y,          static_cast<std::int32_t>(style.anchor),
+            utf8.c_str(),       step.at.x,     step.at.y,          static_cast<std::int32_t>(style.anchor),
             style.bold ? 1 : 0, style.size_px, pdf_ink(style.ink), style.rim_px,
             pdf_ink(style.rim)};
         module_.text(document_, &text);
@@ -105,8 +107,9 @@ Result<std::string> to_pdf(std::span<const Drawing> pages, const PdfOptions& opt
     const std::string regular = *folder + '/' + regular_file;
     const std::string bold = *folder + '/' + bold_file;
     const std::string creator = fmt::format("gonio {}", version);
-    const abi::PdfRequest request{regular.c_str(), bold.c_str(), options.title.c_str(), options.author.c_str(),
-                                  creator.c_str()};
+    const std::string title = to_utf8(options.title);
+    const std::string author = to_utf8(options.author);
+    const abi::PdfRequest request{regular.c_str(), bold.c_str(), title.c_str(), author.c_str(), creator.c_str()};
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);
     std::array<char, abi::message_bytes> message{};

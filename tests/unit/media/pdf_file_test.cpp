@@ -95,6 +95,14 @@ TEST_F(Pdf, EqualPagesGiveEqualBytesAndNoDate) {
     EXPECT_EQ(once->find("ModDate"), std::string::npos);
 }
 
+TEST_F(Pdf, TextOfAnyBytesGivesAValidFile) {
+    const std::vector<Drawing> pages{page_of("caf\xe9 \xff\xfe \x01\x02 )\\( \xe2\x80\xae"), page_of(""),
+                                     page_of("\xf0\x9f\x92\xa1")};
+    const Result<std::string> pdf = to_pdf(pages, {"t\xe9\x01)", "(\xff", {}});
+    ASSERT_TRUE(pdf) << pdf.error().diagnostics.back().message;
+    expect_valid(*pdf);
+}
+
 TEST_F(Pdf, MissingFontsAreNamedWithTheirPackage) {
     const std::vector<Drawing> pages{page_of("no font")};
     const Result<std::string> pdf = to_pdf(pages, {{}, {}, {"/nonexistent"}});
