@@ -39,11 +39,10 @@ std::string both_planes(const std::optional<double>& c0_deg, const std::optional
     return c0 == c90 ? c0 : fmt::format("{} in C0–C180, {} in C90–C270", c0, c90);
 }
 
+// The lumens first: types are long.
 std::string lamp_text(const DeclaredLamps& lamp) {
-    std::string text = fmt::format("{} ×", std::abs(lamp.count));
-    text += lamp.type.empty() ? std::string(" lamp") : " " + lamp.type;
-    if (lamp.flux_lm) text += fmt::format(", {} lm", amount(*lamp.flux_lm));
-    return text;
+    const std::string flux = lamp.flux_lm ? fmt::format("{} lm, ", amount(*lamp.flux_lm)) : std::string();
+    return fmt::format("{}{} × {}", flux, std::abs(lamp.count), lamp.type.empty() ? "lamp" : lamp.type);
 }
 
 // "3000 K"; words stay as they are.

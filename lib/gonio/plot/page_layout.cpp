@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace gonio::plot_detail {
@@ -199,6 +200,19 @@ double SheetPage::table(const Area& area, const SheetTable& table) {
         rule(faint_ink, 0.4);
     }
     return y;
+}
+
+void SheetPage::ring(PagePoint center, double radius) {
+    constexpr int corners = 32;
+    PagePath path;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / corners;
+        const PagePoint at{center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
+        i == 0 ? path.move_to(at) : path.line_to(at);
+    }
+    path.close();
+    page_.stroke(path, {ink(0x000000), 1.5});
+    page_.stroke(std::move(path), {ink(0xff9d5c), 0.75});
 }
 
 void SheetPage::diagram(const Area& box, double across_px, const std::function<Result<Drawing>(int, int)>& draw) {

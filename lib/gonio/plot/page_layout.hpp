@@ -76,6 +76,8 @@ public:
     double list(const Area& area, const std::vector<SheetLine>& lines, double names_pt, std::size_t most_lines = 1);
     // Returns the y below.
     double table(const Area& area, const SheetTable& table);
+    // The symbol of a luminaire in a plan.
+    void ring(PagePoint center, double radius);
     // A diagram in its box, or why there is none. `across_px`: the width for which it is drawn.
     void diagram(const Area& box, double across_px, const std::function<Result<Drawing>(int, int)>& draw);
 

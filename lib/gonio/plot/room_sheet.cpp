@@ -18,6 +18,7 @@ constexpr double names_pt = 84.0;
 constexpr double plan_px = 640.0;                // width that the plan is drawn for
 constexpr double plan_furniture_wide_px = 172.0; // numbers, names and scale beside the plan
 constexpr double plan_furniture_high_px = 92.0;
+constexpr double symbol_pt = 12.0; // in the list of luminaires
 constexpr std::size_t most_luminaires = 12;
 
 std::string amount(double value) {
@@ -115,7 +116,7 @@ Result<RoomSheet> room_sheet(const RoomSheetContent& content, PaperSize paper) {
     const std::vector<double> rights{0.58 * width, 0.70 * width, 0.82 * width, width};
     const auto row = [&](const std::string& name, const std::vector<std::string>& cells, Ink ink, bool bold) {
         y += 9.6;
-        page.text({list.left, y - 2.7}, name, 0.5 * width, {TextAnchor::start, 7.0, ink, bold});
+        page.text({list.left + symbol_pt, y - 2.7}, name, 0.5 * width - symbol_pt, {TextAnchor::start, 7.0, ink, bold});
         for (std::size_t i = 0; i < cells.size(); ++i)
             page.text({list.left + rights[i], y - 2.7}, cells[i], (i == 3 ? 0.16 : 0.11) * width,
                       {TextAnchor::end, 7.0, ink, bold});
@@ -135,10 +136,11 @@ Result<RoomSheet> room_sheet(const RoomSheetContent& content, PaperSize paper) {
         };
         add(watts, each.input_w);
         add(lumens, each.flux_lm);
-        if (i < kinds)
-            row(each.letter.empty() ? each.name : fmt::format("{}   {}", each.letter, each.name),
-                {fmt::format("{}", each.count), number(each.input_w, "W"), number(each.flux_lm, "lm"), each.mounting},
-                text_ink, false);
+        if (i >= kinds) continue;
+        row(each.letter.empty() ? each.name : fmt::format("{}   {}", each.letter, each.name),
+            {fmt::format("{}", each.count), number(each.input_w, "W"), number(each.flux_lm, "lm"), each.mounting},
+            text_ink, false);
+        page.ring({list.left + 4.0, y - 5.2}, 2.8);
     }
     if (content.luminaires.size() > kinds)
         row(fmt::format("and {} more kinds", content.luminaires.size() - kinds), {}, soft_ink, false);
