@@ -46,7 +46,7 @@ Reads, checks, creates and converts measured IES, EULUMDAT and TM-33
 profiles, bakes them into textures, exports them to engines and renderers,
 and previews how a light falls on a stage.
 
-Numbers, profiles and diagrams need this package alone. Pictures and
+Numbers, profiles and diagrams need this package alone. Pictures, PDF and
 OpenColorIO configurations need gonio-media.")
 
 set(library_package "libgonio${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
@@ -73,11 +73,14 @@ the pkg-config file and the JSON schemas.")
 
 set(CPACK_DEBIAN_MODULES_PACKAGE_NAME gonio-media)
 set(CPACK_DEBIAN_MODULES_PACKAGE_SECTION graphics)
+# Its letters are embedded in PDF files.
+set(CPACK_DEBIAN_MODULES_PACKAGE_DEPENDS "fonts-dejavu-core")
 set(CPACK_DEBIAN_MODULES_PACKAGE_ENHANCES "gonio, ${library_package}")
-set(CPACK_COMPONENT_MODULES_DESCRIPTION "photometric lights: pictures and display transforms
+set(CPACK_COMPONENT_MODULES_DESCRIPTION "photometric lights: pictures, display transforms and PDF
 Modules that gonio loads when it writes PNG or OpenEXR (libpng, OpenEXR),
-reads a picture or writes other formats (OpenImageIO), or applies a display
-transform or a colour configuration (OpenColorIO).
+reads a picture or writes other formats (OpenImageIO), applies a display
+transform or a colour configuration (OpenColorIO), or writes a data sheet
+as PDF (cairo).
 
 gonio works without them where only numbers are wanted.")
 

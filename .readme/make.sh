@@ -48,8 +48,9 @@ day=daylight:place=52.52/13.405,time=2026-06-21T10:00+02:00
 "$gonio" preview --shape sphere:r=8cm --intensity 900lm --material ue4:base='rgb(0.9,0.6,0.3)' \
     --fov 14deg --target 0.42,-0.28,0.36 \
     --sweep roughness=0.15:0.75:4 --sweep metallic=0,1 -s 130x110 -o $here/sweep.png
+"$gonio" sheet profiles/batwing.ldt -o $here/data-sheet.svg
 
-for picture in "$here"/*.png; do
+for picture in "$here"/*.png "$here"/*.svg; do
     bytes=$(stat -c %s "$picture")
     ((bytes < 120000)) || { echo "$picture has $bytes bytes, more than 120 kB" >&2; exit 1; }
 done

@@ -15,6 +15,7 @@ extern const Command sample_command;
 extern const Command compare_command;
 extern const Command plot_command;
 extern const Command report_command;
+extern const Command sheet_command;
 extern const Command bake_command;
 extern const Command import_command;
 extern const Command rig_command;
@@ -44,6 +45,7 @@ static constexpr std::array all{
     &compare_command,
     &plot_command,
     &report_command,
+    &sheet_command,
     &bake_command,
     &import_command,
     &rig_command,

@@ -4,10 +4,12 @@
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/grid_drawing.hpp"
 #include "../options/output.hpp"
 #include "../room/request.hpp"
 #include "../room/room_report.hpp"
+#include "../sheet/sheet_output.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
@@ -22,11 +24,14 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array output_options{
-    Option{"-o,--output", "FILE", "write the room: .json a rig for the other commands, .svg or .png its plan with lux"},
+    Option{"-o,--output", "FILE",
+           "write the room: .json a rig for the other commands, .svg or .png its plan with lux, .pdf or .html a sheet"},
     Option{"-s,--size", "WxH", "of the plan in pixels (as the numbers need)"},
-    Option{"--title", "TEXT", "of the plan"},
+    Option{"--title", "TEXT", "of the plan or the sheet"},
     Option{"--to", "FORMAT", "of the plan: svg or an 8-bit picture format, if the file name does not show it",
            "images"},
+    paper_option,
+    fonts_option,
 };
 constexpr std::array groups{OptionGroup{"room", room_options},
                             task_group,
@@ -40,14 +45,42 @@ constexpr std::array examples{
             "the same for a task, with a verdict for each requirement of the standard"},
     Example{"gonio room 6x4x2.8 --luminaire office.ldt --count 3x2 --reflectances 80/50/30 -o plan.svg",
             "the lux of a layout, drawn"},
+    Example{"gonio room 6x4x2.8 --luminaire office.ldt --task office.writing -o office.pdf",
+            "a sheet of the room: plan, luminaires, verdicts"},
     Example{"gonio room 12x8x3 --luminaire office.ldt --for 300lx -o room.json && gonio preview --rig room.json -o "
             "room.png",
             "what it looks like"},
 };
 
-Result<void> write(const Arguments& arguments, const RoomRequest& request, const RoomPlan& plan,
-                   Diagnostics& diagnostics) {
+// Empty if the output is none. Before the room is planned, since a PDF may lack its fonts.
+Result<std::optional<SheetOutput>> sheet_of(const Arguments& arguments) {
     const std::string output = arguments.value("--output").value_or("");
+    const bool is_sheet = names_sheet(output);
+    for (const std::string_view option : {"--size", "--to"})
+        if (is_sheet && arguments.has(option))
+            return fail("USE0107", fmt::format("{} is for a plan, but -o writes a sheet", option));
+    for (const std::string_view option : {"--paper", "--fonts"})
+        if (!is_sheet && arguments.has(option))
+            return fail("USE0107", fmt::format("{} is for a sheet", option), "write -o room.pdf");
+    if (!is_sheet) return std::optional<SheetOutput>();
+    return sheet_output(arguments).map([](SheetOutput sheet) { return std::optional(std::move(sheet)); });
+}
+
+Result<void> write_room_sheet(const Arguments& arguments, const RoomRequest& request, const RoomPlan& plan,
+                              const SheetOutput& output, Diagnostics& diagnostics) {
+    if (Result<void> free = check_outputs({&request.luminaire.file, 1}, {&output.file, 1}); !free) return free;
+    const RoomSheetContent content =
+        room_sheet_content(request, plan, arguments.value("--title").value_or(std::string()));
+    Result<RoomSheet> sheet = room_sheet(content, output.paper);
+    if (!sheet) return pass_on(sheet);
+    add_letters_note(sheet->replaced, request.luminaire.file, diagnostics);
+    return write_sheet(output, sheet->pages, {content.title, {}});
+}
+
+Result<void> write(const Arguments& arguments, const RoomRequest& request, const RoomPlan& plan,
+                   const std::optional<SheetOutput>& sheet, Diagnostics& diagnostics) {
+    const std::string output = arguments.value("--output").value_or("");
+    if (sheet) return write_room_sheet(arguments, request, plan, *sheet, diagnostics);
     if (output.ends_with(".json")) {
         for (const std::string_view option : {"--size", "--title", "--to"})
             if (arguments.has(option))
@@ -68,6 +101,8 @@ Result<int> run_room(const Arguments& arguments, Console& console) {
     for (const std::string_view option : {"--size", "--title", "--to"})
         if (arguments.has(option) && !arguments.has("--output"))
             return fail("USE0104", fmt::format("{} needs -o", option), "it is for the drawing of the plan");
+    Result<std::optional<SheetOutput>> sheet = sheet_of(arguments);
+    if (!sheet) return pass_on(sheet);
     Result<RoomRequest> request = parse_room(arguments, diagnostics);
     if (!request) return pass_on(request);
     const Stopwatch watch;
@@ -78,7 +113,8 @@ Result<int> run_room(const Arguments& arguments, Console& console) {
     judge(*request, *plan);
     add_remarks(*plan, diagnostics);
     if (arguments.has("--output"))
-        if (Result<void> written = write(arguments, *request, *plan, diagnostics); !written) return pass_on(written);
+        if (Result<void> written = write(arguments, *request, *plan, *sheet, diagnostics); !written)
+            return pass_on(written);
     const ReportKind kind = report_kind(arguments);
     if (kind == ReportKind::words)
         console.print(room_text(*request, *plan));

@@ -66,7 +66,10 @@ Result<LuminaireInput> luminaire_input(const Arguments& arguments, ProfileSize s
     if (!loaded) return pass_on(loaded);
     diagnostics = loaded->diagnostics;
     input.ra = declared_ra(loaded->profile);
-    if (const double watts = header_of(loaded->profile).input_watts; watts > 0.0) input.input_w = watts;
+    const ProfileHeader header = header_of(loaded->profile);
+    if (header.input_watts > 0.0) input.input_w = header.input_watts;
+    input.name = keyword_text(header, "LUMINAIRE");
+    if (input.name.empty()) input.name = keyword_text(header, "LUMCAT");
     input.street_side_c_deg = street_side_c_deg(loaded->profile, loaded->web);
     return input;
 }

@@ -17,6 +17,7 @@ inline constexpr Option flux_option{"--flux", "LUMENS", "luminous flux of each l
 
 struct LuminaireInput {
     std::string file;
+    std::string name;               // as the profile states it; may be empty
     LightDescription light;         // without a place
     std::string flux;               // as given; empty: as measured
     std::optional<double> input_w;  // of each luminaire

@@ -5,12 +5,12 @@
 #include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
-#include <gonio/light/photometry.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/transport/receiver_light.hpp>
 
 #include "../facts_text.hpp"
 #include "../options/emits_input.hpp"
+#include "../options/light_flux.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/profile_size.hpp"
 #include "../options/rig_input.hpp"
@@ -50,10 +50,7 @@ std::string shape_text(const Shape& shape) {
 
 // Nothing where the shape has no such quantity.
 std::string flux_text(const Light& light) {
-    Result<ShapePhotometry> photometry = ShapePhotometry::of(light.shape);
-    const Result<PhotometricUnit> lumen = parse_photometric_unit("lm");
-    if (!photometry || !lumen) return {};
-    const Result<double> flux = photometry->express({light.intensity, light.luminance, light.illuminance}, *lumen);
+    const std::optional<double> flux = flux_lm(light);
     return flux ? fmt::format("{} lm", amount_text(*flux)) : std::string();
 }
 

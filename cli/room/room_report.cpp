@@ -1,9 +1,11 @@
 #include "room_report.hpp"
 
+#include <gonio/base/path.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include "../facts_text.hpp"
 #include "../options/glare_text.hpp"
+#include "../options/light_flux.hpp"
 #include "../rig_surfaces.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -190,6 +193,60 @@ GridPlot room_plot(const RoomRequest& request, const RoomPlan& plan) {
                              amount_text(plan.spread.mean), amount_text(plan.spread.greatest),
                              rounded(plan.spread.uniformity(), 2));
     return plot;
+}
+
+RoomSheetContent room_sheet_content(const RoomRequest& request, const RoomPlan& plan, const std::string& title) {
+    const RoomPlanRequest& asked = request.plan;
+    const Spread& lux = plan.spread;
+    const std::string size = fmt::format("{} m × {} m × {} m", rounded(asked.size_m.x, 4), rounded(asked.size_m.y, 4),
+                                         rounded(asked.size_m.z, 4));
+    RoomSheetContent content;
+    content.title = title.empty() ? "Room " + size : title;
+    content.source = file_name(request.luminaire.file);
+    auto& facts = content.facts;
+    facts.emplace_back("Size", size);
+    facts.emplace_back("Reflectances", to_text(asked.reflectances) + " % of ceiling, walls, floor");
+    facts.emplace_back("Layout",
+                       fmt::format("{} × {} luminaires, {} m × {} m apart", plan.layout.columns, plan.layout.rows,
+                                   rounded(plan.spacing_m.x, 4), rounded(plan.spacing_m.y, 4)));
+    facts.emplace_back("Mean illuminance",
+                       fmt::format("{} lx{}", amount_text(lux.mean),
+                                   asked.mean ? fmt::format(" for {} lx", rounded(asked.mean->value)) : std::string()));
+    facts.emplace_back("of it directly", fmt::format("{} lx", amount_text(spread(plan.direct_lx).mean)));
+    facts.emplace_back("Range", fmt::format("{} to {} lx", amount_text(lux.least), amount_text(lux.greatest)));
+    facts.emplace_back("Uniformity",
+                       fmt::format("U0 {}, Ud {}", rounded(lux.uniformity(), 2), rounded(lux.diversity(), 2)));
+    facts.emplace_back("Working plane",
+                       fmt::format("{} m high, {} m off the walls, {} × {} points", rounded(asked.plane_height_m, 4),
+                                   rounded(asked.wall_zone_m, 4), plan.grid.columns, plan.grid.rows));
+    facts.emplace_back("Maintenance factor", rounded(asked.maintenance_factor, 4));
+    if (const std::optional<double> density = power_density(request, plan))
+        facts.emplace_back(
+            "Power", fmt::format("{} W, {} W/m², {} W/m² per 100 lx",
+                                 rounded(*request.luminaire.input_w * static_cast<double>(plan.layout.count()), 4),
+                                 rounded(*density, 3), rounded(100.0 * *density / lux.mean, 3)));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        content.glare.emplace_back(fmt::format("Towards {}", views.at(i)), ugr_text(plan.observers.at(i).glare));
+    if (request.task) {
+        content.task = fmt::format("{}, {}", request.task->task.name, request.task->task.rule);
+        content.verdicts = request.task->verdicts;
+    }
+    RoomSheetLuminaire luminaire;
+    luminaire.name = request.luminaire.name.empty()
+                         ? file_name(request.luminaire.file)
+                         : fmt::format("{} ({})", request.luminaire.name, file_name(request.luminaire.file));
+    luminaire.count = plan.layout.count();
+    luminaire.input_w = request.luminaire.input_w;
+    luminaire.flux_lm = flux_lm(plan.lights.front());
+    luminaire.mounting = fmt::format("at {} m", rounded(mounting_height_m(asked), 4));
+    content.luminaires.push_back(std::move(luminaire));
+    content.plot = room_plot(request, plan);
+    content.plot.title = fmt::format("Maintained illuminance at {} m in lx", rounded(asked.plane_height_m, 4));
+    content.plot.margin_m = asked.wall_zone_m;
+    const double x = 0.5 * asked.size_m.x;
+    const double y = 0.5 * asked.size_m.y;
+    content.plot.outline = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+    return content;
 }
 
 } // namespace gonio::cli

@@ -4,6 +4,7 @@
 #include <gonio/base/diagnostics.hpp>
 #include <gonio/figures/room_plan.hpp>
 #include <gonio/plot/grid_diagram.hpp>
+#include <gonio/plot/room_sheet.hpp>
 
 #include "../json_text.hpp"
 #include "request.hpp"
@@ -28,5 +29,8 @@ Json room_json(const RoomRequest& request, const RoomPlan& plan, const Diagnosti
 std::string room_rig(const RoomRequest& request, const RoomPlan& plan, const std::string& file);
 
 GridPlot room_plot(const RoomRequest& request, const RoomPlan& plan);
+
+// The sheet of the plan, with the walls around the working plane; `title` empty: the size of the room.
+RoomSheetContent room_sheet_content(const RoomRequest& request, const RoomPlan& plan, const std::string& title);
 
 } // namespace gonio::cli

@@ -15,7 +15,8 @@ if(GONIO_SHARED)
     install(EXPORT gonio-shared-targets NAMESPACE gonio:: DESTINATION "${gonio_package_dir}" COMPONENT development)
 endif()
 if(GONIO_MODULES)
-    install(TARGETS gonio-image gonio-writers gonio-color LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/gonio" COMPONENT modules)
+    install(TARGETS gonio-image gonio-writers gonio-color gonio-pdf
+            LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/gonio" COMPONENT modules)
 endif()
 
 # The public headers, which are a list: what is not on it may change at any time. The test consumer.install compares the

@@ -12,7 +12,8 @@ set(shared "")
 if(SHARED)
     set(shared "${LIBDIR}/libgonio.so" "${LIBDIR}/cmake/gonio/gonio-shared-targets.cmake")
 endif()
-foreach(wanted "${LIBDIR}/libgonio.a" "${LIBDIR}/gonio/gonio-image.so" "${LIBDIR}/gonio/gonio-writers.so" "${LIBDIR}/gonio/gonio-color.so"
+foreach(wanted "${LIBDIR}/libgonio.a" "${LIBDIR}/gonio/gonio-image.so" "${LIBDIR}/gonio/gonio-writers.so"
+               "${LIBDIR}/gonio/gonio-color.so" "${LIBDIR}/gonio/gonio-pdf.so"
                "${LIBDIR}/cmake/gonio/gonio-config.cmake" "${LIBDIR}/cmake/gonio/gonio-config-version.cmake"
                "${LIBDIR}/cmake/gonio/gonio-targets.cmake" "${LIBDIR}/pkgconfig/gonio.pc" "share/gonio/rig.schema.json"
                "bin/gonio" "share/man/man1/gonio.1" "share/man/man1/gonio-bake.1"

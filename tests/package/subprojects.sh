@@ -14,7 +14,7 @@ build() { # NAME OPTION…
     local name=$1
     shift
     cmake -G Ninja -S "$root/tests/consumer/subproject" -B "$work/$name" -DCMAKE_BUILD_TYPE=Release "$@" > /dev/null
-    cmake --build "$work/$name" --parallel "$(nproc)" --target host gonio-image gonio-writers gonio-color | tail -n 1
+    cmake --build "$work/$name" --parallel "$(nproc)" --target host gonio-image gonio-writers gonio-color gonio-pdf | tail -n 1
     "$work/$name/host"
     echo "$name works"
 }

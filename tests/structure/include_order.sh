@@ -40,7 +40,7 @@ awk -v public_headers="$public_headers" -v order='base simd profile web color sh
         in_lib = part[1] == "lib" && part[2] != "python" && part[2] != "wasm" # no rooms: they use all of them, as the tool does
         room = in_lib && part[2] == "gonio" && part_count > 3 ? part[3] : ""
         public = listed ? FILENAME in is_listed : in_lib && FILENAME ~ /\.hpp$/ && FILENAME !~ /\/(detail|fit)\// &&
-                 FILENAME !~ /^lib\/gonio\/media\/(image|color)\//
+                 FILENAME !~ /^lib\/gonio\/media\/(image|color|pdf)\//
         ++files
         if (in_lib && !(room in rank) && FILENAME != "lib/gonio/gonio.hpp") complain("lies in no known room")
     }
@@ -56,6 +56,8 @@ awk -v public_headers="$public_headers" -v order='base simd profile web color sh
             complain("includes " target ": OpenImageIO belongs to lib/gonio/media/image")
         if (target ~ /^OpenColorIO\// && FILENAME !~ /^lib\/gonio\/media\/color\//)
             complain("includes " target ": OpenColorIO belongs to lib/gonio/media/color")
+        if (target ~ /^(cairo|ft2build|freetype)/ && FILENAME !~ /^lib\/gonio\/media\/pdf\//)
+            complain("includes " target ": cairo and FreeType belong to lib/gonio/media/pdf")
         if (target == "dlfcn.h" && FILENAME != "lib/gonio/media/module.cpp")
             complain("includes dlfcn.h: dlopen stands in lib/gonio/media/module.cpp")
         if (!in_lib && target ~ /^gonio\/[a-z]+\/detail\//) complain("includes " target ": it belongs to its room alone")

@@ -51,6 +51,7 @@ fault lib/gonio/web/a.hpp '#include <pugixml.hpp>' 'includes pugixml.hpp: a publ
 fault lib/gonio/web/a.cpp '#include <OpenImageIO/imageio.h>' 'includes OpenImageIO/imageio.h: OpenImageIO belongs'
 fault lib/gonio/media/a.cpp '#include <OpenColorIO/OpenColorIO.h>' 'includes OpenColorIO/OpenColorIO.h: OpenColorIO belongs'
 fault lib/gonio/media/a.cpp '#include <dlfcn.h>' 'includes dlfcn.h: dlopen stands'
+fault lib/gonio/media/a.cpp '#include <cairo-pdf.h>' 'includes cairo-pdf.h: cairo and FreeType belong'
 fault lib/gonio/web/a.cpp '#include <iostream>' 'includes <iostream>'
 fault cli/a.cpp '#include <iostream>' 'includes <iostream>'
 fault cli/a.cpp '#include <OpenImageIO/imageio.h>' 'includes OpenImageIO/imageio.h: OpenImageIO belongs'

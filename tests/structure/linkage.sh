@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Checks that a program starts without OpenImageIO and OpenColorIO.
+# Checks that a program starts without OpenImageIO, OpenColorIO and cairo.
 #
-#   linkage.sh PROGRAM [ARGUMENT…]   fails when PROGRAM needs either, or when running it as given opens either
+#   linkage.sh PROGRAM [ARGUMENT…]   fails when PROGRAM needs one, or when running it as given opens one
 #
 # What is printed is thrown away: a picture may go to standard output.
 set -euo pipefail
 
 program=${1:?"usage: linkage.sh PROGRAM [ARGUMENT…]"}
 shift
-heavy='OpenImageIO|OpenColorIO|gonio-(image|color)\.so'
+heavy='OpenImageIO|OpenColorIO|libcairo|libfreetype|gonio-(image|color|pdf)\.so'
 
 needed=$(ldd "$program")
 if grep -E "$heavy" <<< "$needed"; then
@@ -22,4 +22,4 @@ if (($#)); then
         exit 1
     fi
 fi
-echo "$program starts without OpenImageIO and OpenColorIO"
+echo "$program starts without OpenImageIO, OpenColorIO and cairo"

@@ -74,6 +74,7 @@ inline constexpr std::array limits{
     Limit{"sweep-pictures", 1024, "pictures", "the sweeps of preview together"},
     Limit{"compared-methods", 8, "methods", "a comparison of preview"},
     Limit{"cct-steps", 100000, "rows", "a table of cct"},
+    Limit{"sheet-files", 4096, "files", "data sheets in one file; each takes some 200 kB of memory"},
 };
 
 // The row with that name.

@@ -32,6 +32,10 @@ Result<const abi::ColorModule*> color_module() {
     return static_cast<const abi::ColorModule*>(gonio_color_module());
 }
 
+Result<const abi::PdfModule*> pdf_module() {
+    return fail("UNS0102", "there is no module for PDF in WebAssembly", "write .svg or .html, which browsers print");
+}
+
 } // namespace detail
 
 } // namespace gonio::media

@@ -23,6 +23,7 @@ struct State {
     const void* image = nullptr;
     const void* writers = nullptr;
     const void* color = nullptr;
+    const void* pdf = nullptr;
 };
 
 State& state() {
@@ -159,6 +160,12 @@ Result<const abi::ImageModule*> writers_module() {
 Result<const abi::ColorModule*> color_module() {
     return open_once(&State::color, color_module_name).map([](const void* table) {
         return static_cast<const abi::ColorModule*>(table);
+    });
+}
+
+Result<const abi::PdfModule*> pdf_module() {
+    return open_once(&State::pdf, pdf_module_name).map([](const void* table) {
+        return static_cast<const abi::PdfModule*>(table);
     });
 }
 

@@ -24,7 +24,13 @@ Result<Drawing> cartesian_diagram(std::span<const PlottedWeb> webs, const PlotOp
         for (const CurvePoint& point : curve.points)
             if (point.intensity > 0.001 * *top) reach_deg = std::fmax(reach_deg, std::fabs(point.gamma_deg));
     reach_deg = std::fmax(30.0, 30.0 * std::ceil(reach_deg / 30.0 - 1e-6));
-    const std::vector<double> angles = even_steps(-reach_deg, reach_deg, reach_deg > 60.0 ? 30.0 : 10.0);
+    // Numbers of angles need some 34 px each.
+    const bool is_narrow = reach_deg > 60.0 && (options.width_px - 96.0) * 15.0 / reach_deg < 34.0;
+    if (is_narrow) reach_deg = 60.0 * std::ceil(reach_deg / 60.0 - 1e-6);
+    const std::vector<double> angles = even_steps(-reach_deg, reach_deg,
+                                                  is_narrow          ? 60.0
+                                                  : reach_deg > 60.0 ? 30.0
+                                                                     : 10.0);
 
     std::vector<LegendEntry> legend;
     for (const PlaneCurve& curve : *curves)

@@ -64,6 +64,12 @@ std::string angle_text(const std::optional<Beam>& beam) {
     return beam ? fmt::format("{:.1f}°", beam->right_deg - beam->left_deg) : std::string("none");
 }
 
+// Four digits or the whole number, without an exponent where a column has room for that.
+std::string cell_text(double value) {
+    if (value >= 1e4 && value < 1e6) return fmt::format("{:.0f}", value);
+    return rounded(value, value >= 1e6 || value < 1e-4 ? 2 : 4);
+}
+
 } // namespace
 
 Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
@@ -134,7 +140,7 @@ Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions
         const std::array<double, 4> values{distance_m, width_m, illuminance_lx(web, *scale, 0.0, c_deg, distance_m),
                                            edge_lx};
         for (std::size_t k = 0; k < columns.size(); ++k)
-            page.text({columns[k], y - 5.0}, rounded(values[k], 4), {TextAnchor::end});
+            page.text({columns[k], y - 5.0}, cell_text(values[k]), {TextAnchor::end});
     }
     page.circle({axis, top}, 3.5, ink(0x333333));
     const auto plane_text = [](double c) {

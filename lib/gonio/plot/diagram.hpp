@@ -36,6 +36,8 @@ struct PlotOptions {
     bool per_klm = false;                      // cd/klm instead of cd
     double mounting_height_m = 3.0;            // isolux: of the light above the plane; cone: the farthest plane
     double extent_m = 0.0;                     // isolux: half the side of the square; 0: twice the height
+    bool has_facts = true;                     // a line of facts of a single luminaire, where there is room
+    bool has_bands = true;                     // isolux: colours between the lines
 };
 
 // A diagram by its name, as `gonio list diagrams` shows it.

@@ -61,7 +61,8 @@ std::string title_of(std::span<const PlottedWeb> webs, const PlotOptions& option
 
 // Not of falloffs, which have no web, nor on a small page.
 bool has_facts(std::span<const PlottedWeb> webs, const PlotOptions& options) {
-    return webs.size() == 1 && webs[0].web != nullptr && options.width_px >= 400 && options.height_px >= 320;
+    return options.has_facts && webs.size() == 1 && webs[0].web != nullptr && options.width_px >= 400 &&
+           options.height_px >= 320;
 }
 
 // "street.ies: 6000 lm, peak 4078 cd at C 160°, γ 60°"

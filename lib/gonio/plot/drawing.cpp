@@ -54,4 +54,68 @@ void Drawing::end_clip() {
     steps_.emplace_back(ClipEnd{});
 }
 
+namespace {
+
+// A step of another drawing, as it is on this page.
+class Placed {
+public:
+    Placed(PagePoint corner, double scale) : corner_(corner), scale_(scale) {}
+
+    DrawingStep operator()(FilledPath step) const {
+        step.path = moved(step.path);
+        return step;
+    }
+    DrawingStep operator()(StrokedPath step) const {
+        step.path = moved(step.path);
+        step.pen.width_px *= scale_;
+        for (double& length : step.pen.dash_px)
+            length *= scale_;
+        return step;
+    }
+    DrawingStep operator()(FilledRectangle step) const { return sized(step); }
+    DrawingStep operator()(FilledCircle step) const {
+        step.center = moved(step.center);
+        step.radius *= scale_;
+        return step;
+    }
+    DrawingStep operator()(WrittenText step) const {
+        step.at = moved(step.at);
+        step.style.size_px *= scale_;
+        step.style.rim_px *= scale_;
+        return step;
+    }
+    DrawingStep operator()(ClipBegin step) const { return sized(step); }
+    DrawingStep operator()(ClipEnd step) const { return step; }
+
+private:
+    PagePoint moved(PagePoint point) const { return {corner_.x + scale_ * point.x, corner_.y + scale_ * point.y}; }
+    PagePath moved(const PagePath& path) const {
+        PagePath out;
+        for (const PagePath::Part& part : path.parts()) {
+            for (std::size_t i = 0; i < part.points.size(); ++i)
+                i == 0 ? out.move_to(moved(part.points[i])) : out.line_to(moved(part.points[i]));
+            if (part.closed) out.close();
+        }
+        return out;
+    }
+    template<class Step>
+    Step sized(Step step) const {
+        step.corner = moved(step.corner);
+        step.width *= scale_;
+        step.height *= scale_;
+        return step;
+    }
+
+    PagePoint corner_;
+    double scale_;
+};
+
+} // namespace
+
+void Drawing::place(const Drawing& other, PagePoint corner, double scale) {
+    const Placed placed(corner, scale);
+    for (const DrawingStep& step : other.steps_)
+        steps_.push_back(std::visit(placed, step));
+}
+
 } // namespace gonio

@@ -132,6 +132,9 @@ public:
     void begin_clip(PagePoint corner, double width, double height);
     void end_clip();
 
+    // All steps of another drawing, scaled, with its upper left corner there. Outside a clip if it has clips itself.
+    void place(const Drawing& other, PagePoint corner, double scale = 1.0);
+
     int width_px() const { return width_px_; }
     int height_px() const { return height_px_; }
     const std::string& title() const { return title_; }

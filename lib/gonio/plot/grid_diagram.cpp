@@ -29,6 +29,7 @@ constexpr double facts_height_px = 22.0;
 constexpr double letter_share = 0.62; // width of a digit over its height
 constexpr double greatest_letters_px = 12.0;
 constexpr double least_letters_px = 7.0;
+constexpr double letters_of_marks_px = 11.0;
 constexpr int least_px = 160;
 constexpr int most_px = 16384;
 constexpr int usual_most_px = 1600;
@@ -102,10 +103,13 @@ PagePath path_of(const Chart& chart, const ContourLine& line) {
 // Rings, so that a number in the middle of one stays legible.
 void draw_marks(Drawing& page, const Chart& chart, const GridPlot& plot, double radius_px) {
     constexpr int corners = 32;
-    const double right_m = plot.left_m + plot.width_m;
-    const double top_m = plot.low_m + plot.height_m;
-    for (const PagePoint& mark : plot.marks) {
-        if (!(mark.x >= plot.left_m && mark.x <= right_m && mark.y >= plot.low_m && mark.y <= top_m)) continue;
+    const double right_m = plot.left_m + plot.width_m + plot.margin_m;
+    const double top_m = plot.low_m + plot.height_m + plot.margin_m;
+    const double left_m = plot.left_m - plot.margin_m;
+    const double low_m = plot.low_m - plot.margin_m;
+    for (std::size_t m = 0; m < plot.marks.size(); ++m) {
+        const PagePoint& mark = plot.marks[m];
+        if (!(mark.x >= left_m && mark.x <= right_m && mark.y >= low_m && mark.y <= top_m)) continue;
         const PagePoint at = chart.at(mark.x, mark.y);
         PagePath ring;
         for (int i = 0; i < corners; ++i) {
@@ -116,6 +120,9 @@ void draw_marks(Drawing& page, const Chart& chart, const GridPlot& plot, double 
         ring.close();
         page.stroke(ring, {ink(0x000000), 3.0});
         page.stroke(std::move(ring), {ink(0xff9d5c), 1.5});
+        if (m < plot.mark_letters.size() && !plot.mark_letters[m].empty())
+            page.text({at.x + 0.75 * radius_px, at.y - 0.75 * radius_px}, plot.mark_letters[m],
+                      {TextAnchor::start, letters_of_marks_px, ink(0x000000), true, 2.0});
     }
 }
 
@@ -141,8 +148,10 @@ Result<Drawing> grid_diagram(const GridPlot& plot, bool& left_out) {
         area.top += facts_height_px;
     }
     const Area left{area.left, area.top, area.right - scale_room_px, area.bottom};
-    const Chart chart(left, {plot.x_name, axis_of(plot.left_m, plot.left_m + plot.width_m)},
-                      {plot.y_name, axis_of(plot.low_m, plot.low_m + plot.height_m)}, false, true);
+    const double margin_m = plot.margin_m;
+    const Chart chart(left, {plot.x_name, axis_of(plot.left_m - margin_m, plot.left_m + plot.width_m + margin_m)},
+                      {plot.y_name, axis_of(plot.low_m - margin_m, plot.low_m + plot.height_m + margin_m)}, false,
+                      true);
     const double cell_width = plot.width_m / static_cast<double>(plot.columns);
     const double cell_height = plot.height_m / static_cast<double>(plot.rows);
     const auto column_m = [&](double i) { return plot.left_m + cell_width * i; };
@@ -180,8 +189,8 @@ Result<Drawing> grid_diagram(const GridPlot& plot, bool& left_out) {
             page.stroke(path_of(chart, line), {ink(0xffffff), 1.2});
         }
 
-    const double cell_px = chart.inner().width() / static_cast<double>(plot.columns);
-    const double cell_high_px = chart.inner().height() / static_cast<double>(plot.rows);
+    const double cell_px = chart.inner().width() * cell_width / (plot.width_m + 2.0 * margin_m);
+    const double cell_high_px = chart.inner().height() * cell_height / (plot.height_m + 2.0 * margin_m);
     const double size_px = std::min(
         {greatest_letters_px, cell_high_px - 3.0, (cell_px - 3.0) / (letter_share * static_cast<double>(letters))});
     left_out = size_px < least_letters_px;

@@ -17,10 +17,12 @@ struct GridPlot {
     double width_m = 1.0;
     double height_m = 1.0;
     std::size_t columns = 1;
-    std::size_t rows = 1;           // the first is the lowest
-    std::vector<double> values;     // [row][column]; NaN: no such cell
-    std::vector<PagePoint> outline; // of a polygon [m]; empty: the rectangle
-    std::vector<PagePoint> marks;   // lights [m], a ring where each lies in the plan
+    std::size_t rows = 1;                  // the first is the lowest
+    std::vector<double> values;            // [row][column]; NaN: no such cell
+    std::vector<PagePoint> outline;        // of a polygon [m]; empty: the rectangle
+    std::vector<PagePoint> marks;          // lights [m], a ring where each lies in the plan
+    std::vector<std::string> mark_letters; // beside each ring; empty: none
+    double margin_m = 0.0;                 // around the rectangle, inside the axes: the zone along the walls
     std::string x_name = "x [m]";
     std::string y_name = "y [m]";
     std::string unit = "lx"; // empty: a ratio

@@ -4,6 +4,7 @@
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/diagram_page.hpp>
+#include <gonio/plot/page_font.hpp>
 #include <gonio/plot/stroke_font.hpp>
 
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ void label_line(Drawing& page, const Chart& chart, const ContourLine& line, doub
     }
     if (length < 60.0) return; // the number would hide the line
     const std::string text = rounded(level);
-    const double half_width = 0.5 * text_width_px(text, number_px);
+    const double half_width = 0.5 * std::max(text_width_px(text, number_px), page_text_width(text, number_px));
     const Area& inner = chart.inner();
     for (PagePoint at : ends) {
         at.x = std::clamp(at.x, inner.left + 14.0, inner.right - 14.0);
@@ -115,12 +116,12 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
 
     Area area;
     Drawing page = begin_page(webs, options, "illuminance on the plane below", {}, area);
-    const Area left{area.left, area.top, area.right - scale_room_px, area.bottom - 18.0};
+    const Area left{area.left, area.top, area.right - (options.has_bands ? scale_room_px : 0.0), area.bottom - 18.0};
     const std::vector<double> meters = ticks(-extent_m, extent_m, 8);
     const std::vector<double> inside = [&] { // the ticks within the square, and its edges
         std::vector<double> at{-extent_m};
         for (const double meter : meters)
-            if (meter > -0.999 * extent_m && meter < 0.999 * extent_m) at.push_back(meter);
+            if (meter > -0.92 * extent_m && meter < 0.92 * extent_m) at.push_back(meter); // room for the numbers
         at.push_back(extent_m);
         return at;
     }();
@@ -133,12 +134,14 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
         levels.insert(levels.begin(), digit * std::floor(least / digit));
     }
     const std::vector<Ink> colors = band_colors(levels.size());
-    page.begin_clip({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height());
-    page.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),
-                   ink(0x2a0033));
-    draw_bands(page, chart, field, levels, colors);
-    page.end_clip();
-    chart.draw_lines(page, ink(0xffffff, 0.2));
+    if (options.has_bands) {
+        page.begin_clip({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height());
+        page.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),
+                       ink(0x2a0033));
+        draw_bands(page, chart, field, levels, colors);
+        page.end_clip();
+    }
+    chart.draw_lines(page, options.has_bands ? ink(0xffffff, 0.2) : ink(0xe3e3e3));
     std::vector<std::pair<double, std::vector<ContourLine>>> lines;
     for (const double level : levels)
         lines.emplace_back(level, contour_lines(field, level));
@@ -155,8 +158,9 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
         for (const ContourLine& line : contours)
             label_line(page, chart, line, level, written);
     chart.draw_numbers(page);
-    draw_color_scale(page, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
-                     options.per_klm ? "lx/klm" : "lx");
+    if (options.has_bands)
+        draw_color_scale(page, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
+                         options.per_klm ? "lx/klm" : "lx");
     page.text({chart.inner().left, area.bottom}, fmt::format("height {} m, brightest {}", rounded(height_m),
                                                              rounded(top, 4) + (options.per_klm ? " lx/klm" : " lx")));
     return page;

@@ -2,6 +2,7 @@
 #include <gonio/plot/axis.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/diagram_page.hpp>
+#include <gonio/plot/page_font.hpp>
 
 #include <fmt/format.h>
 
@@ -79,12 +80,20 @@ void draw_grid(Drawing& page, const Dial& dial, const std::vector<double>& rings
             page.text({at.x, at.y + 4.0}, fmt::format("{:.0f}°", gamma), {TextAnchor::middle, 11.0, ink(0x555555)});
         }
     const double along = dial.least_deg == 0.0 ? 15.0 : 165.0;
+    const std::string last = intensity_text(rings.back(), options);
+    // On a small dial the unit would reach the number of the angle beside it: it has a corner of its own.
+    const double last_right =
+        dial.radius * std::sin(15.0 * std::numbers::pi / 180.0) + 0.5 * page_text_width(last, label_style.size_px);
+    const bool has_room = last_right + 2.0 < 0.5 * (dial.radius + 16.0) - 0.5 * page_text_width("30°", 11.0);
     for (const double ring : rings) {
         if (ring <= 0.0) continue;
         const PagePoint at = dial.at(along, ring / rings.back());
-        page.text({at.x, at.y + 4.0}, ring == rings.back() ? intensity_text(ring, options) : rounded(ring, 4),
-                  label_style);
+        page.text({at.x, at.y + 4.0}, ring == rings.back() && has_room ? last : rounded(ring, 4), label_style);
     }
+    if (!has_room)
+        page.text(
+            {dial.center.x - dial.radius - 20.0, dial.center.y - (dial.most_deg > 90.0 ? dial.radius + 4.0 : 12.0)},
+            options.per_klm ? "cd/klm" : "cd", {TextAnchor::start, 11.0, ink(0x555555)});
 }
 
 } // namespace

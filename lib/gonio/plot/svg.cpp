@@ -52,10 +52,11 @@ std::string style_of(const Pen& pen) {
 class Writer {
 public:
     Writer(const Drawing& drawing, const SvgOptions& options) : options_(options) {
-        text_ = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
-                            R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif">)"
-                            "\n<title>{2}</title>\n",
-                            drawing.width_px(), drawing.height_px(), escaped(drawing.title()));
+        text_ = fmt::format(
+            R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}{3}" height="{1}{3}" viewBox="0 0 {0} {1}" )"
+            R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif">)"
+            "\n<title>{2}</title>\n",
+            drawing.width_px(), drawing.height_px(), escaped(drawing.title()), options.unit);
         rectangle({0, 0}, drawing.width_px(), drawing.height_px(), R"( fill="#fff")");
         for (const DrawingStep& step : drawing.steps())
             std::visit(*this, step);

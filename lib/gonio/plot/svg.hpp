@@ -17,6 +17,8 @@ struct SvgOptions {
     std::string_view id_prefix = {};
     // Paths in steps of a tenth of a pixel, areas by their outlines: a tenth of the bytes of a heat map.
     bool short_paths = false;
+    // Of the width and height that the document states: "pt" for a page of paper.
+    std::string_view unit = {};
 };
 
 // The whole document, on a white background.

@@ -13,6 +13,7 @@ namespace {
 using detail::color_module_name;
 using detail::image_module_name;
 using detail::open_module;
+using detail::pdf_module_name;
 
 const std::string fakes = test::fakes_folder;
 
@@ -21,7 +22,7 @@ const Diagnostic& reason(const Result<const void*>& result) {
 }
 
 TEST(MediaModule, AllOpenFromTheirFolder) {
-    for (const auto& name : {image_module_name, detail::writers_module_name, color_module_name}) {
+    for (const auto& name : {image_module_name, detail::writers_module_name, color_module_name, pdf_module_name}) {
         const auto table = open_module(name, {"/nonexistent", test::modules_folder});
         ASSERT_TRUE(table) << reason(table).message;
         EXPECT_NE(*table, nullptr);

@@ -67,6 +67,10 @@ inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
     {"UNS0104", Severity::error, Strict::same, "radiometric profile",
      "The profile states that its intensities are not candela (WEB0110), so it has no lumens, lux or nits. "
      "--as-candela takes its numbers as candela; 'gonio edit FILE --as-candela' writes a profile that says so."},
+    {"UNS0105", Severity::error, Strict::same, "fonts that are missing",
+     "A PDF contains the letters of its text, from DejaVu Sans and DejaVu Sans Bold. The message states where they "
+     "were "
+     "looked for; Debian's package fonts-dejavu-core has them, and --fonts names another folder."},
 
     {"INT0101", Severity::error, Strict::same, "internal error",
      "This is a bug in gonio. Please report it with the command and its input."},

@@ -62,6 +62,9 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
     {"RES0209", Severity::warning, Strict::same, "report without pictures",
      "A report shows each profile in a picture, which needs the modules of the package gonio-media. They are not "
      "installed, so the report is written without them. With --no-picture it leaves them out without a warning."},
+    {"RES0210", Severity::note, Strict::same, "letters that a sheet cannot show",
+     "Data sheets have the letters of DejaVu Sans: Latin, Greek, Cyrillic and signs. Others, and control characters, "
+     "are shown as U+FFFD. The profile keeps them."},
 
     {"RES0301", Severity::warning, Strict::same, "amount that the program takes for another",
      "By the convention of the program, the light does not emit what the number states in SI units."},

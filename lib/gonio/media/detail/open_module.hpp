@@ -4,6 +4,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/media/detail/color_abi.hpp>
 #include <gonio/media/detail/image_abi.hpp>
+#include <gonio/media/detail/pdf_abi.hpp>
 
 #include <cstdint>
 #include <string>
@@ -26,6 +27,7 @@ inline constexpr ModuleName writers_module_name{"gonio-writers.so", "gonio_write
                                                 "libpng and OpenEXRCore", "libpng16-16 and libopenexr-3-1-30"};
 inline constexpr ModuleName color_module_name{"gonio-color.so", "gonio_color_module", abi::color_version, "OpenColorIO",
                                               "libopencolorio2.1"};
+inline constexpr ModuleName pdf_module_name{"gonio-pdf.so", "gonio_pdf_module", abi::pdf_version, "cairo", "libcairo2"};
 
 // The module's table, from the first of the folders that contains the file. Fails (unsupported) when no folder does,
 // when the module cannot be loaded, or when its table is of another version; (io) when the library's threads cannot be
@@ -37,6 +39,7 @@ Result<const abi::ImageModule*> image_module();
 // PNG and OpenEXR alone, and only to write them: it opens in milliseconds.
 Result<const abi::ImageModule*> writers_module();
 Result<const abi::ColorModule*> color_module();
+Result<const abi::PdfModule*> pdf_module();
 
 // Why a module's function failed, by its abi::Status.
 Cause cause_of(int status);
