@@ -2,9 +2,9 @@
 //
 // gonio itself links none of them, because a program that links OpenImageIO takes a third of a second to start. Each
 // library is in a separate module, gonio-image.so, gonio-color.so and gonio-pdf.so, which is opened when a function of
-// this room first needs it; gonio-writers.so writes PNG and OpenEXR by the libraries of these formats alone. A module is
-// searched in the folders set here, beside the running executable, where gonio's installation puts modules relative to
-// the executable (bin/ and lib/gonio/ under one prefix), and in gonio/ beside the shared library if the program uses
+// this room first needs it; gonio-writers.so writes PNG and OpenEXR by the libraries of these formats alone. A module
+// is searched in the folders set here, beside the running executable, where gonio's installation puts modules relative
+// to the executable (bin/ and lib/gonio/ under one prefix), and in gonio/ beside the shared library if the program uses
 // that, in this order.
 #pragma once
 
