@@ -122,10 +122,15 @@ private:
         } else if (attribute.count == 1) {
             check(exr_attr_set_int(context_, part, name.c_str(), attribute.ints[0]));
         } else if (attribute.count == 2) {
-            const exr_attr_v2i_t pair{attribute.ints[0], attribute.ints[1]};
+            exr_attr_v2i_t pair{};
+            pair.x = attribute.ints[0];
+            pair.y = attribute.ints[1];
             check(exr_attr_set_v2i(context_, part, name.c_str(), &pair));
         } else if (attribute.count == 3) {
-            const exr_attr_v3i_t triple{attribute.ints[0], attribute.ints[1], attribute.ints[2]};
+            exr_attr_v3i_t triple{};
+            triple.x = attribute.ints[0];
+            triple.y = attribute.ints[1];
+            triple.z = attribute.ints[2];
             check(exr_attr_set_v3i(context_, part, name.c_str(), &triple));
         }
     }
@@ -142,7 +147,7 @@ private:
         check(exr_get_scanlines_per_chunk(context_, 0, &lines));
         const auto channels = static_cast<std::size_t>(request_.channels);
         const std::size_t row = channels * static_cast<std::size_t>(request_.width);
-        exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
+        exr_encode_pipeline_t encoder{};
         const auto encode = [&](std::int32_t y) {
             exr_chunk_info_t chunk;
             check(exr_write_scanline_chunk_info(context_, 0, y, &chunk));
