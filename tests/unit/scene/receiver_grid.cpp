@@ -113,7 +113,7 @@ TEST(ReceiverGrid, OfSportsIsOdd) {
     const ReceiverGrid court = parallelogram_grid({}, {36, 0, 0}, {0, 18, 0}, sports, {0, 0, 1}, 1000).value();
     EXPECT_EQ(court.columns, 15);
     EXPECT_EQ(court.rows, 7);
-    const ReceiverGrid spot = parallelogram_grid({}, {0.1, 0, 0}, {0, 0.1, 0}, sports, {0, 0, 1}, 1000).value();
+    const ReceiverGrid spot = parallelogram_grid({}, {0.01, 0, 0}, {0, 0.01, 0}, sports, {0, 0, 1}, 1000).value();
     EXPECT_EQ(spot.columns * spot.rows, 1);
 }
 
