@@ -303,11 +303,11 @@ Result<RoadPlan> plan_road(LightDescription luminaire, RoadPlanRequest request, 
     if (Result<void> checked = check(request); !checked) return pass_on(checked);
     Result<Planner> planner = Planner::make(std::move(luminaire), request, diagnostics);
     if (!planner) return pass_on(planner);
+    const double most_m = std::min(12.0 * request.height_m, 300.0);
     // Uniformities rise and fall with the spacing, so that nothing but a look at each will do.
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     std::string closest;
-    for (double spacing_m = std::floor(12.0 * request.height_m / step_m) * step_m; spacing_m >= least_m;
-         spacing_m -= step_m) {
+    for (double spacing_m = std::floor(most_m / step_m) * step_m; spacing_m >= least_m; spacing_m -= step_m) {
         RoadPlan plan = planner->plan(spacing_m);
         const std::vector<Verdict> all = verdicts(task, plan.reached());
         const auto failed = static_cast<std::size_t>(std::count_if(
@@ -318,8 +318,7 @@ Result<RoadPlan> plan_road(LightDescription luminaire, RoadPlanRequest request, 
         closest = fmt::format("at {:.4g} m: {}", spacing_m, failed_text(all));
     }
     return fail("USE0106",
-                fmt::format("no spacing from {:.4g} to {:.4g} m passes '{}'; {}", least_m, 12.0 * request.height_m,
-                            task.name, closest),
+                fmt::format("no spacing from {:.4g} to {:.4g} m passes '{}'; {}", least_m, most_m, task.name, closest),
                 "try another arrangement, height, overhang or tilt, or another luminaire");
 }
 

@@ -98,7 +98,7 @@ Result<RoadPlan> plan_road(LightDescription luminaire, const RoadPlanRequest& re
 
 // The widest spacing, in steps of half a metre, at which the road passes all that the task requires of it and that is
 // known; `request.spacing_m` is not read. Fails as plan_road() does, and (usage) if there is none from 5 m to twelve
-// times the height: the message states what failed where the fewest did.
+// times the height, at most 300 m: the message states what failed where the fewest did.
 Result<RoadPlan> plan_road(LightDescription luminaire, RoadPlanRequest request, const Task& task,
                            Diagnostics& diagnostics);
 
