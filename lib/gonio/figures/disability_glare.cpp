@@ -58,7 +58,7 @@ double greatest_field_glare_rating(std::span<const Light> lights, std::span<cons
             const double angle = 2.0 * std::numbers::pi * i / directions;
             const Observer player{point + glm::dvec3(0.0, 0.0, 1.5),
                                   {std::cos(angle) * std::cos(dip), std::sin(angle) * std::cos(dip), -std::sin(dip)}};
-            greatest = std::max(greatest, veiling_luminance(lights, player));
+            greatest.value = std::max(greatest.value, veiling_luminance(lights, player).value);
         }
     return field_glare_rating(greatest, mean, reflectance);
 }

@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    explicit Planner(const RoadPlanRequest& request) : request_(request) {}
+    explicit Planner(RoadPlanRequest request) : request_(std::move(request)) {}
 
     // At x = 0; those of the farther side are turned by half a circle.
     Result<Light> place(LightDescription luminaire, bool farther, Diagnostics& diagnostics) const {
@@ -209,7 +209,7 @@ private:
         for (std::size_t step = 0; step < columns; ++step) {
             const double on_m = static_cast<double>(step) * plan.spacing_m / static_cast<double>(columns) - start_m;
             driver.eye.x = comes_back ? plan.spacing_m - on_m : on_m;
-            seen.veil = std::max(seen.veil, veil(lights, driver, forward));
+            seen.veil.value = std::max(seen.veil.value, veil(lights, driver, forward).value);
         }
         seen.ti_percent = threshold_increment(seen.veil, Nits(seen.luminance.mean / request_.maintenance_factor));
         return seen;
