@@ -77,7 +77,7 @@ void store(const float* from, std::size_t count, bool wide, std::vector<png_byte
     const float greatest = wide ? 65535.0F : 255.0F;
     for (std::size_t i = 0; i < count; ++i) {
         const float clipped = from[i] > 0.0F ? std::min(from[i], 1.0F) : 0.0F;
-        const auto number = static_cast<unsigned>(clipped * greatest + 0.5F);
+        const auto number = static_cast<unsigned>(std::floor(clipped * greatest + 0.5F));
         if (wide) {
             row[2 * i] = static_cast<png_byte>(number >> 8U);
             row[2 * i + 1] = static_cast<png_byte>(number & 255U);
