@@ -3,8 +3,6 @@
 #include <gonio/base/picture_size.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/raster.hpp>
-#include <gonio/plot/svg.hpp>
 #include <gonio/web/profile_header.hpp>
 
 #include "../arguments.hpp"
@@ -116,17 +114,12 @@ std::string label_of(const std::string& file) {
 
 PlottedWeb plotted(const std::string& file, const LoadedProfile& loaded, const Request& request) {
     const ProfileHeader header = header_of(loaded.profile, request.input.resolve);
-    std::string_view name = keyword_text(header, "LUMINAIRE");
-    if (name.empty()) name = keyword_text(header, "LUMCAT");
-    return {label_of(file), &loaded.web, std::string(name)};
+    return {label_of(file), &loaded.web, std::string(luminaire_name(header))};
 }
 
 Result<void> write_page(const Result<Drawing>& page, const Request& request, const std::string& output) {
     if (!page) return Unexpected(page.error());
-    if (request.format == nullptr) return write_output(output, to_svg(*page));
-    Result<std::string> bytes = encode_for_display(to_image(*page), *request.format, false);
-    if (!bytes) return pass_on(bytes);
-    return write_output(output, *bytes);
+    return write_diagram(*page, request.format, output);
 }
 
 Result<void> draw(std::span<const PlottedWeb> webs, const Request& request, const std::string& output) {
@@ -138,15 +131,10 @@ Result<void> read_format(const Arguments& arguments, Request& request) {
     const auto named = arguments.value("--to");
     const std::string output = arguments.value("--output").value_or("");
     const bool by_name = !output.empty() && output != "-";
-    if (named ? *named == "svg" : !by_name || output.ends_with(".svg")) return {};
-    if (!named && media::find_image_format(output) == nullptr)
-        return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", output),
-                    "end it in .svg or .png, or add --to");
-    Result<const media::ImageFormat*> format = picture_format(named, output);
+    if (!named && !by_name) return {};
+    Result<const media::ImageFormat*> format = diagram_format(named, output);
     if (!format) return pass_on(format);
-    if (!has_pixel(**format, media::Pixel::uint8))
-        return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
-                    "write .svg, .png, .tif or .jpg");
+    if (*format == nullptr) return {};
     Result<void> fits = check_picture_size(request.plot.width_px, request.plot.height_px);
     if (!fits) error_hint(fits.error(), "use a smaller -s, or write .svg, which has no pixels");
     if (!fits) return fits;

@@ -68,8 +68,7 @@ Result<LuminaireInput> luminaire_input(const Arguments& arguments, ProfileSize s
     input.ra = declared_ra(loaded->profile);
     const ProfileHeader header = header_of(loaded->profile);
     if (header.input_watts > 0.0) input.input_w = header.input_watts;
-    input.name = keyword_text(header, "LUMINAIRE");
-    if (input.name.empty()) input.name = keyword_text(header, "LUMCAT");
+    input.name = luminaire_name(header);
     input.street_side_c_deg = street_side_c_deg(loaded->profile, loaded->web);
     return input;
 }

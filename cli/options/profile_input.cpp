@@ -126,6 +126,11 @@ Result<std::vector<std::string>> input_files(const Arguments& arguments) {
     return files;
 }
 
+std::string_view luminaire_name(const ProfileHeader& header) {
+    const std::string_view name = keyword_text(header, "LUMINAIRE");
+    return name.empty() ? keyword_text(header, "LUMCAT") : name;
+}
+
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options) {
     Result<std::string> bytes =
         file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("profile-bytes"));

@@ -3,6 +3,7 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/profile/read.hpp>
+#include <gonio/web/profile_header.hpp>
 #include <gonio/web/resolve.hpp>
 
 #include "../arguments.hpp"
@@ -56,6 +57,9 @@ struct LoadedProfile {
     Web web;
     Diagnostics diagnostics; // of reading, resolving and smoothing
 };
+
+// What a luminaire is called: its name, or else its catalogue number; empty if the file has neither.
+std::string_view luminaire_name(const ProfileHeader& header);
 
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options);
 

@@ -162,9 +162,7 @@ ProfilePart part_of(const std::string& file, const std::string& label, std::size
     const ResolveOptions& resolve = options.input.resolve;
     const ProfileFacts facts = profile_facts(loaded.profile, loaded.web, resolve);
     const ProfileHeader header = header_of(loaded.profile, resolve);
-    std::string_view name = keyword_text(header, "LUMINAIRE");
-    if (name.empty()) name = keyword_text(header, "LUMCAT");
-    const std::string luminaire(name);
+    const std::string luminaire(luminaire_name(header));
 
     ProfilePart part;
     std::string pictures;

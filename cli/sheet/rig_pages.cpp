@@ -3,6 +3,7 @@
 #include <gonio/base/path.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/figures/glare.hpp>
+#include <gonio/figures/room_plan.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/receiver_grid.hpp>
@@ -13,6 +14,7 @@
 #include "../options/glare_text.hpp"
 #include "../options/light_flux.hpp"
 #include "../options/points_input.hpp"
+#include "../options/profile_input.hpp"
 #include "../options/profile_size.hpp"
 #include "../options/rig_input.hpp"
 #include "../preview/stage_input.hpp"
@@ -60,12 +62,7 @@ Result<void> light_up(LitRoom& room, const RigPageOptions& options) {
             lux += alone->parts_lx[part] * shares.visible[part];
         room.illuminance_lx.push_back(lux);
     }
-    const glm::dvec3 middle = 0.5 * (room.area.low + room.area.high);
-    const double eye = options.eye_height_m;
-    const std::array observers{Observer{{room.area.low.x, middle.y, eye}, {1.0, 0.0, 0.0}},
-                               Observer{{room.area.high.x, middle.y, eye}, {-1.0, 0.0, 0.0}},
-                               Observer{{middle.x, room.area.low.y, eye}, {0.0, 1.0, 0.0}},
-                               Observer{{middle.x, room.area.high.y, eye}, {0.0, -1.0, 0.0}}};
+    const std::array<Observer, 4> observers = wall_observers(room.area, options.eye_height_m);
     std::vector<Receiver> eyes;
     for (const Observer& observer : observers)
         eyes.push_back({observer.eye, observer.view});
@@ -83,8 +80,7 @@ void add_profile(const std::string& file, RoomSheetLuminaire& luminaire) {
     if (!profile) return;
     const ProfileHeader header = header_of(*profile);
     if (header.input_watts > 0.0) luminaire.input_w = header.input_watts;
-    std::string_view name = keyword_text(header, "LUMINAIRE");
-    if (name.empty()) name = keyword_text(header, "LUMCAT");
+    const std::string_view name = luminaire_name(header);
     if (!name.empty()) luminaire.name = fmt::format("{} ({})", name, luminaire.name);
 }
 

@@ -258,10 +258,7 @@ private:
 
     Result<void> add_observers(RoomPlan& plan, const ReceiverLight& on_stage) const {
         const glm::dvec3 half = 0.5 * request_.size_m;
-        const std::array walls{Observer{{-half.x, 0.0, request_.eye_height_m}, {1.0, 0.0, 0.0}},
-                               Observer{{half.x, 0.0, request_.eye_height_m}, {-1.0, 0.0, 0.0}},
-                               Observer{{0.0, -half.y, request_.eye_height_m}, {0.0, 1.0, 0.0}},
-                               Observer{{0.0, half.y, request_.eye_height_m}, {0.0, -1.0, 0.0}}};
+        const std::array<Observer, 4> walls = wall_observers({-half, half}, request_.eye_height_m);
         std::vector<Receiver> eyes;
         for (const Observer& observer : walls)
             eyes.push_back({observer.eye, observer.view});
@@ -280,6 +277,14 @@ private:
 };
 
 } // namespace
+
+std::array<Observer, 4> wall_observers(const FloorArea& area, double eye_height_m) {
+    const glm::dvec3 middle = 0.5 * (area.low + area.high);
+    return {Observer{{area.low.x, middle.y, eye_height_m}, {1.0, 0.0, 0.0}},
+            Observer{{area.high.x, middle.y, eye_height_m}, {-1.0, 0.0, 0.0}},
+            Observer{{middle.x, area.low.y, eye_height_m}, {0.0, 1.0, 0.0}},
+            Observer{{middle.x, area.high.y, eye_height_m}, {0.0, -1.0, 0.0}}};
+}
 
 Stage box_room(const glm::dvec3& size_m, const RoomReflectances& reflectances) {
     const auto matte = [](double albedo) { return LambertMaterial{glm::dvec3(albedo)}; };

@@ -61,6 +61,9 @@ struct RoomObserver {
     GlareRating glare;
 };
 
+// The observers at the middles of the walls −X, +X, −Y, +Y of a floor plan, who look level across it.
+std::array<Observer, 4> wall_observers(const FloorArea& area, double eye_height_m);
+
 // A planned room.
 struct RoomPlan {
     Stage stage;
