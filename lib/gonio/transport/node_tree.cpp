@@ -289,6 +289,8 @@ private:
         const std::array<std::uint32_t, 4>& corner = tree_.parts_[leaf].corner;
         if (std::find(corner.begin(), corner.end(), index) != corner.end()) return false;
         const Extent& extent = extents_[leaf];
+        // Between the two lines of a cut, where nothing is interpolated.
+        if (std::min(extent.high.x - extent.low.x, extent.high.y - extent.low.y) < tree_.gap_m_) return false;
         std::array<std::uint32_t, 2> ends{};
         double share = 0.0;
         if (at.y == extent.low.y || at.y == extent.high.y) {

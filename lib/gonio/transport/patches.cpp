@@ -22,7 +22,8 @@ constexpr double patches_per_radius = 5.0; // of a sphere, so that the edge of i
 constexpr double patches_beside = 9.0;     // per radius, if another solid is closer to it than its radius
 constexpr double patches_of_figure = 2.0;  // per radius of each of its fifteen limbs
 constexpr std::uint32_t cell_side = 2;     // patches
-constexpr double small = 6.0;              // squares; no rays miss parts of larger solids
+constexpr double small = 6.0;              // squares; no rays miss parts of larger solids,
+constexpr double thin = 0.3;               // unless they are poles with a radius of less than these squares
 constexpr double bright = 3.0;             // times the mean: what rays carry of a cell close to a light
 constexpr std::size_t most_bright = 400;   // cells
 
@@ -294,7 +295,8 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
     const double radius_m = panel != nullptr     ? 0.5 * std::hypot(panel->width, panel->height)
                             : is_sheet(geometry) ? std::numeric_limits<double>::infinity()
                                                  : bounds(geometry)->radius;
-    const bool is_small = radius_m < small * square_m_;
+    const auto* const capsule = std::get_if<Capsule>(&geometry);
+    const bool is_small = radius_m < small * square_m_ || (capsule != nullptr && capsule->radius < thin * square_m_);
     for (std::uint32_t row = 0; row < grid.rows; row += cell_side)
         for (std::uint32_t column = 0; column < grid.columns; column += cell_side) {
             const std::uint32_t end_row = std::min(row + cell_side, grid.rows);

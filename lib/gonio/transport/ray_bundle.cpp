@@ -15,6 +15,7 @@ namespace {
 // A link stands for a part of a surface that is at least as many of its half diagonals away. A cell that is closer is
 // divided into its patches, and rays meet those that are still closer.
 constexpr double least_of_cell = 8.0;
+constexpr double least_of_round_cell = 16.0; // it is bright on one side, which is not the side that all see
 constexpr double least_of_patch = 5.0;
 constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
 constexpr int deepest_part = 8;
@@ -170,9 +171,14 @@ private:
         if (sender.covered) return;
         const Way way(place, sender.linked_middle, sender.normal);
         const bool is_wide = sender.spread > most_spread;
-        if (!is_wide && way.is_far(sender.half_diagonal_m, least_of_cell)) {
+        const double least = is_flat(cell) ? least_of_cell : least_of_round_cell;
+        if (!is_wide && way.is_far(sender.half_diagonal_m, least)) {
             by_link_[cell] = By::cell;
             const double area_m2 = patches_.cell_area_m2(cell);
+            if (sender.is_bright) {
+                link_bright(place, way, frame, cell, area_m2);
+                return;
+            }
             consider(way, frame, form_factor(way, facing(way, sender.spread), area_m2),
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
                      sender.is_uneven() ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
@@ -196,6 +202,27 @@ private:
             const double cosine = is_wide ? patches_.mean_cosine(patch, -to_patch.to / std::sqrt(to_patch.distance2))
                                           : facing(to_patch, 0.5 * sender.spread);
             consider(to_patch, frame, form_factor(to_patch, cosine, patches_.area_m2(patch)), patch, sender.chart);
+        }
+    }
+
+    // A cell close to a light, which sends much: something may hide one part of it, so each of its patches is asked
+    // for.
+    void link_bright(const Receivers::Place& place, const Way& way, const Frame& frame, std::uint32_t cell,
+                     double area_m2) {
+        const Cell& sender = patches_.cells()[cell];
+        const double share = form_factor(way, facing(way, sender.spread), area_m2);
+        if (!(share > 0.0)) return;
+        const glm::dvec2 slopes = slopes_of_form_factor(way, place, sender, area_m2);
+        const auto by_links = [&](std::uint32_t patch) {
+            return patches_.area_m2(patch) * (1.0 - static_cast<double>(patches_.by_rays(patch)));
+        };
+        double sum = 0.0;
+        for (const std::uint32_t patch : patches_.patches_of(cell))
+            sum += by_links(patch);
+        for (const std::uint32_t patch : patches_.patches_of(cell)) {
+            const double part = by_links(patch) / sum;
+            consider(Way(place, patches_.middle(patch), sender.normal), frame, part * share,
+                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart, part * slopes);
         }
     }
 

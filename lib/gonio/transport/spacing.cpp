@@ -29,6 +29,8 @@ constexpr double patches_at_edges = 0.3;    // of other surfaces, in squares
 constexpr double growth_of_nodes_beside = 0.25; // a low box: what it sends falls with the square of the distance
 constexpr double by_height = 0.25;              // of a box, between nodes beside it
 constexpr double patches_by_height = 0.05;      // between patches
+constexpr double nodes_beside = 0.05;           // and at least, in the distance at edges
+constexpr double patches_beside = 0.2;
 
 constexpr double least_spacing = 0.04; // of patches, in squares
 
@@ -62,8 +64,9 @@ void add_lines(double low, double high, double inset, const Spacing& spacing, st
 // What another surface does to the lines of nodes.
 struct Edges {
     const Chart& chart;
-    double touching_m; // what is farther away does not touch
-    double least_m;    // distance between lines at an edge; 0: it is a cut alone
+    double touching_m;   // what is farther away does not touch
+    double least_m;      // distance between lines at an edge; 0: it is a cut alone
+    double least_beside; // and beside a low box, in these
     SpacingPair& pair;
 
     void edge(Spacing& spacing, double at, double spacing_m,
@@ -95,7 +98,7 @@ struct Edges {
         };
         if (to.z + reach(chart.frame.z) < 0.0) return; // behind
         if (std::max(to.z - reach(chart.frame.z), 0.0) >= touching_m) return;
-        const double spacing_m = std::clamp(by_height * (to.z + reach(chart.frame.z)), 0.2 * least_m, least_m);
+        const double spacing_m = std::clamp(by_height * (to.z + reach(chart.frame.z)), least_beside * least_m, least_m);
         const double growth = spacing_m < least_m ? growth_of_nodes_beside : std::numeric_limits<double>::infinity();
         const auto sides = [&](Spacing& of, double middle, double half) {
             edge(of, middle - half, spacing_m, growth);
@@ -174,7 +177,8 @@ SpacingPair spacing_of_nodes(const Stage& stage, const Chart& chart, double wide
             for (const double end : {along->range.low, along->range.high})
                 along->gradings.push_back({end, end, least_m});
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
-        if (i != chart.surface) std::visit(Edges{chart, least_m, least_m, pair}, stage.surfaces[i].geometry);
+        if (i != chart.surface)
+            std::visit(Edges{chart, least_m, least_m, nodes_beside, pair}, stage.surfaces[i].geometry);
     return pair;
 }
 
@@ -198,7 +202,8 @@ SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> l
         if (i != chart.surface) {
             if (!is_of_figure(stage.surfaces[i]))
                 std::visit(Feet{chart, widest_m, coarseness, pair}, stage.surfaces[i].geometry);
-            std::visit(Edges{chart, 1e-3 * widest_m, patches_at_edges * widest_m, pair}, stage.surfaces[i].geometry);
+            std::visit(Edges{chart, 1e-3 * widest_m, patches_at_edges * widest_m, patches_beside, pair},
+                       stage.surfaces[i].geometry);
         }
     return pair;
 }
