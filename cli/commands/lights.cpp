@@ -3,6 +3,7 @@
 #include <gonio/base/folder.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/interchange/audit.hpp>
+#include <gonio/interchange/engine_script.hpp>
 #include <gonio/interchange/scene_rig.hpp>
 
 #include "../batch.hpp"
@@ -30,7 +31,8 @@ constexpr std::array task_options{
     Option{"--to-rig", "", "write a rig that preview, probe and import take, with -o FILE"},
     Option{"--audit", "", "what is implausible; the exit status is 1 if anything is"},
     Option{"--fix", "", "write the scene with what can be corrected corrected, with -o FILE (glTF)"},
-    Option{"-o,--output", "FILE", "the file of --to-rig or --fix; '-' is stdout"},
+    Option{"--script", "PROGRAM", "print the script that lists the lights inside unreal or unity"},
+    Option{"-o,--output", "FILE", "the file of --to-rig, --fix or --script; '-' is stdout"},
 };
 constexpr std::array groups{OptionGroup{"what to do", task_options}, OptionGroup{"scene", scene_options}, json_group,
                             common_group};
@@ -39,6 +41,7 @@ constexpr std::array examples{
     Example{"gonio lights scene.usda --to-rig -o rig.json", "the lights as a rig"},
     Example{"gonio import rig.json --to blender -O out/", "and from there to any other program"},
     Example{"gonio lights scene.glb --audit", "watts taken for candela, wrong cones, black lights"},
+    Example{"gonio lights --script unreal -o gonio_lights.py", "for the editor: it lists the level's lights as JSON"},
     Example{"gonio lights scene.glb --fix -o fixed.glb", "the same file with corrected numbers"},
 };
 
@@ -91,6 +94,21 @@ Result<void> write_rig(const FoundScene& scene, const SceneRequest& request, con
     return output == "-" ? write_output(output, files[0].bytes) : write_outputs(files);
 }
 
+// Needs no scene.
+Result<int> write_script(const Arguments& arguments) {
+    Result<const EngineScript*> script = find_engine_script(*arguments.value("--script"));
+    if (!script) return pass_on(script);
+    for (const std::string_view option : {"--to-rig", "--fix", "--audit"})
+        if (arguments.has(option)) return fail("USE0107", fmt::format("--script and {} are both given", option));
+    if (!arguments.positional().empty())
+        return fail("USE0107", "--script takes no scene", "run the script in the program, and read what it writes");
+    const std::string output = arguments.value("--output").value_or("-");
+    if (output != "-" && file_exists(output))
+        return fail("USE0108", fmt::format("'{}' exists", output), "remove it first, or give another name");
+    if (Result<void> written = write_output(output, (*script)->text); !written) return pass_on(written);
+    return 0;
+}
+
 Result<void> check_options(const Arguments& arguments) {
     if (arguments.has("--to-rig") && arguments.has("--fix"))
         return fail("USE0107", "--to-rig and --fix both write a file", "fix the scene first");
@@ -109,6 +127,7 @@ Result<void> check_options(const Arguments& arguments) {
 }
 
 Result<int> run_lights(const Arguments& arguments, Console& console) {
+    if (arguments.has("--script")) return write_script(arguments);
     if (Result<void> fits = check_options(arguments); !fits) return pass_on(fits);
     Result<SceneRequest> request = parse_scene(arguments);
     if (!request) return pass_on(request);

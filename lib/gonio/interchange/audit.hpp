@@ -19,17 +19,17 @@ namespace gonio {
 struct SceneFix {
     std::size_t light = 0;         // index into FoundScene::lights
     std::vector<std::string> path; // from the light's own entry: "spot", "outerConeAngle"
-    double from = 0.0;
-    double to = 0.0;
+    double from = 0.0;             // not a number: `to` is a factor on what the file has
+    double to = 0.0;               // the corrected number
 };
 
 // Something implausible.
 struct SceneFinding {
-    const DiagnosticCode* code = nullptr;
-    std::vector<std::size_t> lights; // indices
-    std::string message;
-    std::string hint;
-    std::vector<SceneFix> fixes; // often empty
+    const DiagnosticCode* code = nullptr; // SCN03…
+    std::vector<std::size_t> lights;      // indices
+    std::string message;                  // the number that gave it away
+    std::string hint;                     // what to do
+    std::vector<SceneFix> fixes;          // often empty
 };
 
 // The findings, by code. Profiles must be loaded for SCN0306 to be found. `lumens_per_watt`: what watts that were taken
@@ -41,16 +41,16 @@ Diagnostic to_diagnostic(const SceneFinding& finding, const FoundScene& scene);
 
 // A fix that was applied.
 struct AppliedFix {
-    std::string code;
+    std::string code;  // of the finding
     std::string light; // its name
     std::string path;  // "spot.outerConeAngle"
-    double from = 0.0;
-    double to = 0.0;
+    double from = 0.0; // what the file had
+    double to = 0.0;   // what it has now
 };
 
 // A scene's bytes after its fixes.
 struct FixedScene {
-    std::string bytes;
+    std::string bytes;               // of the file
     std::vector<AppliedFix> applied; // in the order of the file
 };
 

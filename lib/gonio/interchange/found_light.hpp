@@ -22,9 +22,9 @@ namespace gonio {
 
 // Something that a reader assumed, or that is lost.
 struct LightRemark {
-    const DiagnosticCode* code = nullptr;
-    std::string message; // without the light's name, the same for all lights that it concerns
-    std::string hint;    // may be empty
+    const DiagnosticCode* code = nullptr; // of the family SCN
+    std::string message;                  // without the light's name, the same for all lights that it concerns
+    std::string hint;                     // may be empty
 };
 
 // A light of a scene.
@@ -47,10 +47,10 @@ struct FoundLight {
     double stated_amount = 0.0;                // the amount's number, as in the file
     double stated_color_max = 1.0;             // the greatest channel of the colour, as in the file
     bool is_tinted = false;                    // the file states a colour other than grey
-    std::optional<double> stated_outer;        // cone angles of a spot, as in the file
-    std::optional<double> stated_inner;
-    std::size_t index = 0; // of the light's own entry in the file, which others may share
-    std::vector<LightRemark> remarks;
+    std::optional<double> stated_outer;        // outer cone angle of a spot, as in the file
+    std::optional<double> stated_inner;        // the inner one
+    std::size_t index = 0;                     // of the light's own entry in the file, which others may share
+    std::vector<LightRemark> remarks;          // what was assumed or is lost
 
     // Whether a rig can hold it.
     bool is_converted() const { return shape.has_value(); }
@@ -64,13 +64,13 @@ struct FoundProfile {
 
 // The lights of a scene, in the order of the file.
 struct FoundScene {
-    std::string source;    // the name used in messages
-    std::string format;    // of scene_formats(): "gltf"
-    std::string generator; // the program that wrote the file, if it says so
-    double meters_per_unit = 1.0;
-    std::vector<FoundLight> lights;
-    std::vector<FoundProfile> profiles;
-    Diagnostics diagnostics; // about the whole file
+    std::string source;                 // the name used in messages
+    std::string format;                 // of scene_formats(): "gltf"
+    std::string generator;              // the program that wrote the file, if it says so
+    double meters_per_unit = 1.0;       // length of the scene's unit
+    std::vector<FoundLight> lights;     // in the order of the file
+    std::vector<FoundProfile> profiles; // inside the file
+    Diagnostics diagnostics;            // about the whole file
 };
 
 // The scene's diagnostics, and the remarks of its lights: one for all lights that it concerns, at the first of them.

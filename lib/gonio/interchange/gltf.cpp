@@ -639,6 +639,7 @@ Result<GltfDocument> gltf_document(std::string_view bytes, const std::string& so
         return glb_error(source, bytes.size(),
                          fmt::format("the file ends here, and its header announces {} bytes", length));
     bytes = bytes.substr(0, length);
+    document.container = bytes;
     for (std::size_t at = header; at + chunk_header <= bytes.size();) {
         const std::size_t size = u32_at(bytes, at);
         const std::string_view type = bytes.substr(at + 4, 4);

@@ -99,7 +99,7 @@ Result<FixedScene> fix_scene(std::string_view bytes, const FoundScene& scene, st
     }
     json += document->json.substr(at);
     if (document->is_binary) {
-        fixed.bytes = repacked(bytes, document->json, std::move(json));
+        fixed.bytes = repacked(document->container, document->json, std::move(json));
     } else {
         const std::size_t before = bytes.size() - document->json.size(); // a byte order mark
         fixed.bytes = std::string(bytes.substr(0, before)) + json;

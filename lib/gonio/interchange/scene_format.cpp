@@ -21,6 +21,8 @@ namespace {
 using namespace interchange_detail;
 
 constexpr std::array formats{
+    SceneFormat{"engine-json", "lights that a script lists inside Unreal or Unity: gonio lights --script", ".json",
+                is_engine_export, read_engine_export},
     SceneFormat{"gltf", "glTF 2.0: KHR_lights_punctual, EXT_lights_ies, EXT_lights_area, meshes that glow",
                 ".gltf, .glb", is_gltf, read_gltf},
     SceneFormat{"luxcore", "LuxCore's properties", ".scn", is_luxcore, read_luxcore},

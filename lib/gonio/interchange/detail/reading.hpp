@@ -90,6 +90,9 @@ void take_flat(FoundLight& light, const glm::dmat4& world, bool round, double ai
                double meters_per_unit);
 
 // Readers, one per format.
+bool is_engine_export(std::string_view bytes);
+Result<FoundScene> read_engine_export(std::string_view bytes, const std::string& source,
+                                      const SceneReadOptions& options);
 bool is_gltf(std::string_view bytes);
 Result<FoundScene> read_gltf(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 bool is_pbrt(std::string_view bytes);
