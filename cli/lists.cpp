@@ -14,6 +14,7 @@
 #include <gonio/figures/road_surface.hpp>
 #include <gonio/figures/tasks.hpp>
 #include <gonio/ibl/prefilter_variant.hpp>
+#include <gonio/interchange/scene_format.hpp>
 #include <gonio/light/efficacy.hpp>
 #include <gonio/light/policy.hpp>
 #include <gonio/light/presets.hpp>
@@ -283,6 +284,13 @@ Entries formats() {
     return {{"ies", "ANSI/IES LM-63, 1986 to 2019"}, {"ldt", "EULUMDAT"}, {"tm33", "ANSI/IES TM-33, ATLA S001: XML"}};
 }
 
+Entries scenes() {
+    Entries entries;
+    for (const SceneFormat& format : scene_formats())
+        entries.push_back({std::string(format.name), fmt::format("{} ({})", format.summary, format.endings)});
+    return entries;
+}
+
 Entries dialects() {
     return {{"lm-63-1995", "IES as of 1995"},
             {"lm-63-2002", "IES as of 2002"},
@@ -405,6 +413,7 @@ constexpr std::array lists{
 #ifndef GONIO_NO_BENCH
     NamedList{"scalings", "what bench --scaling measures", scalings},
 #endif
+    NamedList{"scene-formats", "scenes of other programs that lights reads", scenes},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"skies", "skies of sky", skies},

@@ -18,6 +18,7 @@ extern const Command report_command;
 extern const Command sheet_command;
 extern const Command bake_command;
 extern const Command import_command;
+extern const Command lights_command;
 extern const Command rig_command;
 extern const Command probe_command;
 extern const Command road_command;
@@ -48,6 +49,7 @@ static constexpr std::array all{
     &sheet_command,
     &bake_command,
     &import_command,
+    &lights_command,
     &rig_command,
     &probe_command,
     &room_command,

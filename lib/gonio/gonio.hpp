@@ -56,6 +56,11 @@
 #include <gonio/ibl/roughness_mapping.hpp>
 #include <gonio/ibl/split_sum.hpp>
 #include <gonio/ibl/split_sum_table.hpp>
+#include <gonio/interchange/audit.hpp>
+#include <gonio/interchange/engine_script.hpp>
+#include <gonio/interchange/found_light.hpp>
+#include <gonio/interchange/scene_format.hpp>
+#include <gonio/interchange/scene_rig.hpp>
 #include <gonio/light/far_field.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/light/light_color.hpp>

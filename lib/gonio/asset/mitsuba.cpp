@@ -210,7 +210,7 @@ std::string mitsuba_matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::
     return fmt::format(R"(<transform name="to_world"><matrix value="{} {} {} 0 0 0 1"/></transform>)",
                        triple({x.x, y.x, z.x}, " ") + fmt::format(" {}", origin.x),
                        triple({x.y, y.y, z.y}, " ") + fmt::format(" {}", origin.y),
-                       triple({x.z, y.z, z.z}, " ") + fmt::format(" {} 0", origin.z));
+                       triple({x.z, y.z, z.z}, " ") + fmt::format(" {}", origin.z));
 }
 
 std::string mitsuba_rgb(std::string_view name, const glm::dvec3& color) {

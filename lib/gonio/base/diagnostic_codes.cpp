@@ -2,6 +2,7 @@
 #include <gonio/base/codes/profile.hpp>
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/codes/rig.hpp>
+#include <gonio/base/codes/scene.hpp>
 #include <gonio/base/codes/web.hpp>
 #include <gonio/base/diagnostic_codes.hpp>
 
@@ -20,7 +21,7 @@ constexpr auto joined(const std::array<DiagnosticCode, Sizes>&... tables) {
     return all;
 }
 
-constexpr auto all_codes = joined(profile_codes, web_codes, rig_codes, result_codes, failure_codes);
+constexpr auto all_codes = joined(profile_codes, web_codes, rig_codes, scene_codes, result_codes, failure_codes);
 static_assert(in_order(all_codes));
 
 constexpr std::array groups{
@@ -41,6 +42,9 @@ constexpr std::array groups{
     DiagnosticGroup{"WEB02", "What is lost or changed in another format"},
     DiagnosticGroup{"WEB03", "Whether such a light can be"},
     DiagnosticGroup{"RIG01", "Rigs"},
+    DiagnosticGroup{"SCN01", "Scenes of other programs: the file"},
+    DiagnosticGroup{"SCN02", "Scenes of other programs: what becomes of a light"},
+    DiagnosticGroup{"SCN03", "Scenes of other programs: the audit"},
     DiagnosticGroup{"RES01", "Results: colours"},
     DiagnosticGroup{"RES02", "Results: files and pictures"},
     DiagnosticGroup{"RES03", "Results: units"},

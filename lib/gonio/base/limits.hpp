@@ -52,6 +52,11 @@ inline constexpr std::array limits{
     Limit{"rig-smooth", std::size_t{1} << 24U, "intensities", "the smooth tables of a rig, all together"},
     Limit{"stage-surfaces", 256, "surfaces", "a rig's stage"},
     Limit{"import-lights", 100000, "lights", "a rig that import writes for a target"},
+    // Scenes of other programs
+    Limit{"scene-bytes", 1024 * mebibyte, "bytes", "a scene of another program"},
+    Limit{"scene-nodes", std::size_t{1} << 24U, "nodes", "such a scene"},
+    Limit{"scene-depth", 256, "levels", "nested blocks of such a scene; the tree of glTF has no limit"},
+    Limit{"scene-lights", std::size_t{1} << 20U, "lights", "such a scene"},
     // Text
     Limit{"kind-bytes", 16 * kibibyte, "bytes", "the text of a shape, a material or another KIND:key=value,…"},
     Limit{"kind-keys", 64, "keys", "one such text"},

@@ -3,6 +3,7 @@
 #include <gonio/base/codes/profile.hpp>
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/codes/rig.hpp>
+#include <gonio/base/codes/scene.hpp>
 #include <gonio/base/codes/web.hpp>
 #include <gonio/base/diagnostic_codes.hpp>
 #include <gonio/base/file.hpp>
@@ -29,8 +30,8 @@ constexpr DiagnosticCode row(std::string_view code) {
 TEST(DiagnosticCodes, AreFoundByTheirName) {
     for (const DiagnosticCode& code : diagnostic_codes())
         EXPECT_EQ(find_diagnostic_code(code.code), &code);
-    EXPECT_EQ(diagnostic_codes().size(),
-              profile_codes.size() + web_codes.size() + rig_codes.size() + result_codes.size() + failure_codes.size());
+    EXPECT_EQ(diagnostic_codes().size(), profile_codes.size() + web_codes.size() + rig_codes.size() +
+                                             scene_codes.size() + result_codes.size() + failure_codes.size());
     for (const std::string_view none : {"", "IES9999", "ies0204", "IES020", "IES02040"})
         EXPECT_EQ(find_diagnostic_code(none), nullptr) << none;
 }

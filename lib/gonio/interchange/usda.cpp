@@ -1,0 +1,468 @@
+// UsdLux, in the text form of USD. L = intensity · 2^exposure · colour · black body [nits]; `normalize` divides by the
+// area in the stage's units, and makes the intensity of a distant light its lux. Sizes are scaled by the transformation
+// and the stage's metersPerUnit. Light goes along −Z; the axis of a cylinder is X. A cone is a half angle in degrees
+// within which the light falls smoothly over the angle. A sphere that is treated as a point is a point.
+#include <gonio/base/limits.hpp>
+#include <gonio/base/text.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/interchange/detail/reading.hpp>
+#include <gonio/interchange/detail/usda.hpp>
+
+#include <fmt/format.h>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace gonio::interchange_detail {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::uint32_t no_prim = 0xffffffff;
+
+class UsdReader {
+public:
+    UsdReader(UsdLayer layer, std::string_view text, const std::string& source, const SceneReadOptions& options)
+        : layer_(std::move(layer)), options_(options), source_(source), places_(text, source) {}
+
+    Result<FoundScene> read() {
+        scene_.generator = layer_.doc;
+        scene_.meters_per_unit = options_.unit.value_or(Meters(layer_.meters_per_unit)).value;
+        up_ = options_.up.value_or(layer_.up);
+        worlds_.resize(layer_.prims.size());
+        for (std::uint32_t i = 0; i < layer_.prims.size(); ++i) {
+            const UsdPrim& prim = layer_.prims[i];
+            const auto has_schema = [&](std::string_view name) {
+                return std::find(prim.schemas.begin(), prim.schemas.end(), name) != prim.schemas.end();
+            };
+            const bool is_light = prim.type.ends_with("Light") || prim.type.ends_with("Light_1");
+            if (!is_light && !has_schema("MeshLightAPI") && !has_schema("VolumeLightAPI")) continue;
+            if (Result<void> read = read_light(i); !read) return pass_on(read);
+            if (scene_.lights.size() > limit("scene-lights").value)
+                return scene_error("SCN0108", places_.at(prim.offset),
+                                   fmt::format("more than {}", to_text(limit("scene-lights"))));
+        }
+        if (!layer_.unresolved.empty())
+            warn(scene_, "SCN0107", places_.at(layer_.unresolved.front()),
+                 fmt::format(
+                     "references, variants and layers are not followed ({} in the file): lights in them are missing",
+                     layer_.unresolved.size()),
+                 "flatten it first: usdcat --flatten scene.usd -o scene.usda");
+        if (scene_.lights.empty()) return std::move(scene_);
+        if (!layer_.states_unit && !options_.unit)
+            warn(scene_, "SCN0201", {source_, 0, 0}, "metersPerUnit is not stated: centimetres are assumed, as in USD",
+                 "--unit-scale says what it is");
+        if (!layer_.states_up && !options_.up)
+            warn(scene_, "SCN0201", {source_, 0, 0}, "upAxis is not stated: Y is assumed, as in USD",
+                 "--up says what it is");
+        return std::move(scene_);
+    }
+
+private:
+    // The value of an attribute; `inputs:` is left out before 21.02.
+    const UsdValue* value(FoundLight* light, const UsdPrim& prim, std::string_view name) {
+        const UsdAttribute* found = prim.find(fmt::format("inputs:{}", name));
+        if (found == nullptr) found = prim.find(name);
+        if (found == nullptr) return nullptr;
+        if (found->is_connected && light != nullptr)
+            remark(*light, "SCN0201", fmt::format("'{}' is connected to another prim: its own value is taken", name));
+        if (found->value.is_set) return &found->value;
+        if (found->samples.empty()) return nullptr;
+        const auto first = std::min_element(found->samples.begin(), found->samples.end(),
+                                            [](const UsdSample& a, const UsdSample& b) { return a.time < b.time; });
+        if (light != nullptr && found->samples.size() > 1)
+            remark(*light, "SCN0201", fmt::format("'{}' changes over time: its first sample is taken", name));
+        return first->value.is_set ? &first->value : nullptr;
+    }
+
+    Result<double> number(FoundLight& light, const UsdPrim& prim, std::string_view name, double otherwise) {
+        const UsdValue* const found = value(&light, prim, name);
+        if (found == nullptr) return otherwise;
+        if (found->numbers.size() != 1)
+            return scene_error("SCN0105", places_.at(found->offset), fmt::format("'{}' must be a number", name));
+        return found->numbers.front();
+    }
+
+    std::string path_of(std::uint32_t at) const {
+        std::string path;
+        for (; at != no_prim; at = layer_.prims[at].parent) {
+            path.insert(0, "/" + layer_.prims[at].name);
+            constexpr std::size_t longest = 400;
+            if (path.size() > longest) return "…" + path;
+        }
+        return path;
+    }
+
+    Result<glm::dmat4> op(const UsdPrim& prim, std::string_view name) {
+        const UsdAttribute* const attribute = prim.find(name);
+        const UsdValue* const found = attribute != nullptr ? value(nullptr, prim, name) : nullptr;
+        if (found == nullptr)
+            return scene_error("SCN0103", places_.at(prim.offset),
+                               fmt::format("xformOpOrder names '{}', which has no value", name.substr(0, 80)));
+        const std::vector<double>& v = found->numbers;
+        std::string_view kind = name.substr(std::min(std::string_view("xformOp:").size(), name.size()));
+        kind = kind.substr(0, kind.find(':'));
+        const auto wrong = [&] {
+            return scene_error("SCN0105", places_.at(found->offset),
+                               fmt::format("'{}' has {} numbers", name.substr(0, 80), v.size()));
+        };
+        glm::dmat4 one(1.0);
+        if (kind == "transform") {
+            if (v.size() != 16) return wrong();
+            for (int i = 0; i < 16; ++i)
+                one[i / 4][i % 4] = v[static_cast<std::size_t>(i)];
+            return one;
+        }
+        if (kind == "translate" || kind == "scale") {
+            if (v.size() != 3) return wrong();
+            const glm::dvec3 by(v[0], v[1], v[2]);
+            return kind == "translate" ? glm::translate(one, by) : glm::scale(one, by);
+        }
+        if (kind == "orient") {
+            if (v.size() != 4) return wrong();
+            const glm::dquat turn(v[0], v[1], v[2], v[3]);
+            return glm::mat4_cast(glm::normalize(turn));
+        }
+        constexpr std::string_view rotate = "rotate";
+        if (kind.starts_with(rotate)) {
+            const std::string_view axes = kind.substr(rotate.size());
+            if (axes.empty() || axes.size() > 3 || axes.find_first_not_of("XYZ") != std::string_view::npos ||
+                v.size() != axes.size())
+                return wrong();
+            // The first axis is turned about first; angles stand in the order X, Y, Z.
+            for (const char axis : axes) {
+                const int at = axis - 'X';
+                glm::dvec3 about(0.0);
+                about[at] = 1.0;
+                const double angle = axes.size() == 1 ? v[0] : v[static_cast<std::size_t>(at)];
+                one = glm::rotate(glm::dmat4(1.0), angle * pi / 180.0, about) * one;
+            }
+            return one;
+        }
+        return scene_error("SCN0103", places_.at(prim.offset),
+                           fmt::format("there is no transformation '{}'", name.substr(0, 80)));
+    }
+
+    Result<glm::dmat4> local(const UsdPrim& prim, bool& resets) {
+        glm::dmat4 own(1.0);
+        resets = false;
+        const UsdAttribute* const order = prim.find("xformOpOrder");
+        if (order == nullptr) return own;
+        for (std::string_view name : order->value.texts) {
+            if (name == "!resetXformStack!") {
+                resets = true;
+                own = glm::dmat4(1.0);
+                continue;
+            }
+            constexpr std::string_view invert = "!invert!";
+            const bool is_inverse = name.starts_with(invert);
+            if (is_inverse) name.remove_prefix(invert.size());
+            Result<glm::dmat4> one = op(prim, name);
+            if (!one) return one;
+            own = own * (is_inverse ? glm::inverse(*one) : *one);
+        }
+        return own;
+    }
+
+    // World transformations of a prim and its parents are kept.
+    Result<glm::dmat4> world_of(std::uint32_t at) {
+        std::vector<std::uint32_t> above;
+        glm::dmat4 world(1.0);
+        for (; at != no_prim; at = layer_.prims[at].parent) {
+            if (worlds_[at]) {
+                world = *worlds_[at];
+                break;
+            }
+            above.push_back(at);
+        }
+        for (auto next = above.rbegin(); next != above.rend(); ++next) {
+            bool resets = false;
+            Result<glm::dmat4> own = local(layer_.prims[*next], resets);
+            if (!own) return own;
+            world = resets ? *own : world * *own;
+            worlds_[*next] = world;
+        }
+        return world;
+    }
+
+    bool is_shown(std::uint32_t at) {
+        for (; at != no_prim; at = layer_.prims[at].parent) {
+            const UsdPrim& prim = layer_.prims[at];
+            if (prim.is_class || !prim.is_active) return false;
+            const UsdValue* const visibility = value(nullptr, prim, "visibility");
+            if (visibility != nullptr && !visibility->texts.empty() && visibility->texts[0] == "invisible")
+                return false;
+        }
+        return true;
+    }
+
+    Result<void> read_light(std::uint32_t at) {
+        const UsdPrim& prim = layer_.prims[at];
+        FoundLight light;
+        light.name = prim.name;
+        light.kind = prim.type.substr(0, 40);
+        light.place = path_of(at);
+        light.location = places_.at(prim.offset);
+        Result<glm::dmat4> world = world_of(at);
+        if (!world) return pass_on(world);
+        if (Result<void> done = read_amount(light, prim, *world); !done) return done;
+        if (light.shape && !is_shown(at)) {
+            light.shape.reset();
+            remark(light, "SCN0204", "it is inactive, invisible, a class or an override");
+        }
+        scene_.lights.push_back(std::move(light));
+        return {};
+    }
+
+    Result<void> read_amount(FoundLight& light, const UsdPrim& prim, const glm::dmat4& world) {
+        const bool is_distant = light.kind == "DistantLight";
+        Result<double> intensity = number(light, prim, "intensity", is_distant ? 50000.0 : 1.0);
+        if (!intensity) return pass_on(intensity);
+        Result<double> exposure = number(light, prim, "exposure", 0.0);
+        if (!exposure) return pass_on(exposure);
+        Result<double> normalize = number(light, prim, "normalize", 0.0);
+        if (!normalize) return pass_on(normalize);
+        light.stated_amount = *intensity * std::exp2(*exposure);
+        light.stated = fmt::format("intensity {}", rounded(*intensity));
+        if (*exposure != 0.0) light.stated += fmt::format(", exposure {}", rounded(*exposure));
+        if (*normalize != 0.0) light.stated += ", normalize";
+        glm::dvec3 rgb(1.0);
+        if (const UsdValue* const color = value(&light, prim, "color")) {
+            if (color->numbers.size() != 3)
+                return scene_error("SCN0105", places_.at(color->offset), "'color' must have three numbers");
+            rgb = {color->numbers[0], color->numbers[1], color->numbers[2]};
+            if (rgb != glm::dvec3(1.0)) light.stated += fmt::format(", color {}", numbers_text(rgb));
+        }
+        Result<double> has_kelvin = number(light, prim, "enableColorTemperature", 0.0);
+        if (!has_kelvin) return pass_on(has_kelvin);
+        const bool is_tinted = rgb.x != rgb.y || rgb.y != rgb.z;
+        if (*has_kelvin != 0.0) {
+            Result<double> kelvin = number(light, prim, "colorTemperature", 6500.0);
+            if (!kelvin) return pass_on(kelvin);
+            light.stated += fmt::format(", {} K", rounded(*kelvin));
+            rgb *= blackbody_color(light, *kelvin);
+            light.temperature = Kelvin(*kelvin);
+        }
+        const double nits = light.stated_amount * take_color(light, rgb);
+        light.stated_color_max = 1.0;
+        light.is_tinted = is_tinted;
+        if (is_distant) return distant(light, prim, world, nits, *normalize != 0.0);
+        return area(light, prim, world, nits, *normalize != 0.0);
+    }
+
+    Result<void> distant(FoundLight& light, const UsdPrim& prim, const glm::dmat4& world, double nits,
+                         bool normalized) {
+        Result<double> angle = number(light, prim, "angle", 0.53);
+        if (!angle) return pass_on(angle);
+        if (!(*angle >= 0.0 && *angle <= 180.0)) {
+            only_list(light, fmt::format("its angle of {}° is outside what a rig holds", rounded(*angle)));
+            return {};
+        }
+        light.shape = SunShape{degrees(*angle > 0.0 ? *angle : 0.53)};
+        // Without a size the divisor of the area is 1.
+        light.intensity = amount(nits, normalized || *angle == 0.0 ? "lx" : "nt");
+        if (*angle == 0.0) remark(light, "SCN0201", "its angle is 0: a diameter of 0.53° is assumed");
+        place_light(light, world, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, up_, scene_.meters_per_unit);
+        return {};
+    }
+
+    struct Shaping {
+        bool is_there = false;
+        double angle = 90.0;
+        double softness = 0.0;
+        double focus = 0.0;
+        std::string file;
+        bool normalized = false;
+    };
+
+    Result<Shaping> shaping_of(FoundLight& light, const UsdPrim& prim) {
+        Shaping shaping;
+        shaping.is_there = std::find(prim.schemas.begin(), prim.schemas.end(), "ShapingAPI") != prim.schemas.end() ||
+                           std::any_of(prim.attributes.begin(), prim.attributes.end(), [](const UsdAttribute& one) {
+                               return one.name.find("shaping:") != std::string::npos;
+                           });
+        if (!shaping.is_there) return shaping;
+        for (const auto& [name, into] :
+             {std::pair{"shaping:cone:angle", &shaping.angle}, std::pair{"shaping:cone:softness", &shaping.softness},
+              std::pair{"shaping:focus", &shaping.focus}}) {
+            Result<double> read = number(light, prim, name, *into);
+            if (!read) return pass_on(read);
+            *into = *read;
+        }
+        if (const UsdValue* const file = value(&light, prim, "shaping:ies:file");
+            file != nullptr && !file->texts.empty())
+            shaping.file = file->texts.front();
+        Result<double> normalized = number(light, prim, "shaping:ies:normalize", 0.0);
+        if (!normalized) return pass_on(normalized);
+        shaping.normalized = *normalized != 0.0;
+        Result<double> scale = number(light, prim, "shaping:ies:angleScale", 0.0);
+        if (!scale) return pass_on(scale);
+        if (*scale != 0.0 && !shaping.file.empty())
+            remark(light, "SCN0202", "angleScale is left out: renderers disagree about it");
+        return shaping;
+    }
+
+    Result<void> area(FoundLight& light, const UsdPrim& prim, const glm::dmat4& world, double nits, bool normalized) {
+        const double unit = scene_.meters_per_unit;
+        const glm::dvec3 scale = axis_lengths(world);
+        const bool is_uniform = nearly(scale.x, scale.y) && nearly(scale.x, scale.z);
+        Result<double> radius = number(light, prim, "radius", 0.5);
+        if (!radius) return pass_on(radius);
+        Result<double> width = number(light, prim, "width", 1.0);
+        if (!width) return pass_on(width);
+        Result<double> height = number(light, prim, "height", 1.0);
+        if (!height) return pass_on(height);
+        Result<double> length = number(light, prim, "length", 1.0);
+        if (!length) return pass_on(length);
+        Result<Shaping> shaping = shaping_of(light, prim);
+        if (!shaping) return pass_on(shaping);
+        double stage_area = 0.0; // in the stage's units, with the transformation
+        double projected = 0.0;  // [m²]
+        const bool is_sphere = light.kind == "SphereLight";
+        if (is_sphere) {
+            const double r = *radius * scale.x;
+            stage_area = 4.0 * pi * r * r;
+            projected = pi * r * r * unit * unit;
+            light.shape = SphereShape{Meters(r * unit)};
+        } else if (light.kind == "DiskLight" || light.kind == "RectLight") {
+            const bool is_disk = light.kind == "DiskLight";
+            const glm::dmat4 sized = is_disk ? glm::scale(world, {*radius, *radius, 1.0})
+                                             : glm::scale(world, {0.5 * *width, 0.5 * *height, 1.0});
+            const glm::dvec3 lengths = axis_lengths(sized);
+            stage_area = (is_disk ? pi : 4.0) * lengths.x * lengths.y;
+            take_flat(light, sized, is_disk, -1.0, false, up_, unit);
+        } else if (light.kind == "CylinderLight") {
+            const double r = *radius * scale.y;
+            const double l = *length * scale.x;
+            stage_area = 2.0 * pi * r * l;
+            light.shape = TubeShape{Meters(r * unit), Meters(l * unit)};
+        } else {
+            only_list(light, light.kind.starts_with("DomeLight")
+                                 ? std::string("light from all around is the sky of a rig")
+                             : light.kind == "Mesh" || light.kind == "GeometryLight"
+                                 ? std::string("a mesh that emits")
+                                 : fmt::format("gonio does not read a {}", light.kind));
+            return {};
+        }
+        if (!light.shape) return {};
+        if (!(stage_area > 0.0) || !std::isfinite(stage_area)) {
+            only_list(light, "its size is not above 0");
+            return {};
+        }
+        if ((is_sphere && !is_uniform) || (light.kind == "CylinderLight" && !nearly(scale.y, scale.z))) {
+            only_list(light, "its transformation stretches it to a shape that a rig does not hold");
+            return {};
+        }
+        if (normalized) {
+            nits /= stage_area;
+            if (unit != 1.0)
+                remark(light, "SCN0201", "normalize divides by the area in the stage's units, as in USD's own code");
+        }
+        light.intensity = amount(nits, "nt");
+        if (is_sphere || light.kind == "CylinderLight")
+            place_light(light, world, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, up_, unit);
+        if (!light.shape) return {};
+        if (const UsdValue* const texture = value(&light, prim, "texture:file");
+            texture != nullptr && !texture->texts.empty() && !texture->texts.front().empty()) {
+            only_list(light, "its luminances are a picture, which gonio does not read back");
+            return {};
+        }
+        Result<double> as_point = number(light, prim, "treatAsPoint", 0.0);
+        if (!as_point) return pass_on(as_point);
+        if (is_sphere && (*as_point != 0.0 || shaping->is_there))
+            return punctual(light, *shaping, nits * projected, *as_point != 0.0);
+        if (light.kind == "CylinderLight") close_cylinder(light);
+        if (shaping->is_there) shape_area(light, *shaping);
+        return {};
+    }
+
+    // A sphere as a point, a spot or a profile.
+    Result<void> punctual(FoundLight& light, const Shaping& shaping, double candela, bool as_point) {
+        light.intensity = amount(candela, "cd");
+        const SphereShape sphere = std::get<SphereShape>(*light.shape);
+        light.shape = PointShape{};
+        if (!shaping.is_there) return {};
+        const std::string lost = "a sphere that is shaped: a rig's light is a point of the same intensity";
+        if (!shaping.file.empty()) {
+            ProfileShape profile;
+            profile.file = shaping.file;
+            light.shape = profile;
+            if (!as_point) remark(light, "SCN0202", lost);
+            if (shaping.focus != 0.0 || shaping.angle < 90.0)
+                remark(light, "SCN0202", "a cone and a focus beside a profile are left out");
+            light.profile_scale = candela;
+            if (nearly(candela, 1.0)) light.profile_scale = 1.0;
+            light.intensity.reset();
+            if (shaping.normalized) { // the profile over its mean intensity
+                light.profile_scale = 1.0;
+                light.intensity = amount(4.0 * pi * candela, "lm");
+                remark(light, "SCN0201",
+                       "ies:normalize: the mean intensity over the whole sphere becomes 1, as in USD's own code");
+            }
+            return {};
+        }
+        light.stated_outer = shaping.angle;
+        if (shaping.focus != 0.0) {
+            only_list(light, "its focus, a power of the cosine, is no falloff of a rig");
+            return {};
+        }
+        if (shaping.angle >= 180.0) {
+            if (!as_point)
+                light.shape = sphere,
+                light.intensity = amount(candela / (pi * sphere.radius.value * sphere.radius.value), "nt");
+            return {};
+        }
+        if (!(shaping.angle > 0.0 && shaping.angle <= 90.0) || !(shaping.softness >= 0.0 && shaping.softness <= 1.0)) {
+            only_list(light, fmt::format("its cone is outside what a rig holds: {}°, softness {}",
+                                         rounded(shaping.angle), rounded(shaping.softness)));
+            return {};
+        }
+        const Radians outer = degrees(shaping.angle);
+        light.shape = SpotShape{outer, outer * (1.0 - shaping.softness), Falloff::smoothstep_angle, {}, {}};
+        if (!as_point) remark(light, "SCN0202", lost);
+        return {};
+    }
+
+    static void shape_area(FoundLight& light, const Shaping& shaping) {
+        if (!shaping.file.empty())
+            return only_list(
+                light, "a profile on an area light: UsdLux leaves open whether it is an intensity or a luminance");
+        if (shaping.focus != 0.0) return only_list(light, "an area light with a focus");
+        const bool cuts = shaping.angle < (light.kind == "CylinderLight" ? 180.0 : 90.0);
+        if (cuts) only_list(light, fmt::format("an area light with a cone of {}°", rounded(shaping.angle)));
+    }
+
+    UsdLayer layer_;
+    const SceneReadOptions& options_;
+    const std::string& source_;
+    LinePlaces places_;
+    FoundScene scene_;
+    std::vector<std::optional<glm::dmat4>> worlds_; // by prim
+    char up_ = 'y';
+};
+
+} // namespace
+
+bool is_usda(std::string_view bytes) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+    return bytes.starts_with("#usda");
+}
+
+Result<FoundScene> read_usda(std::string_view bytes, const std::string& source, const SceneReadOptions& options) {
+    Result<UsdLayer> layer = parse_usda(bytes, source);
+    if (!layer) return pass_on(layer);
+    return UsdReader(std::move(*layer), bytes, source, options).read();
+}
+
+} // namespace gonio::interchange_detail

@@ -1,0 +1,178 @@
+// UsdLux: values that follow from the schema, transformations, and broken files.
+#include <gonio/light/light_color.hpp>
+
+#include "scenes.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <numbers>
+#include <string>
+
+namespace gonio {
+
+namespace {
+
+using std::numbers::pi;
+using test::failure_of;
+using test::has_remark;
+using test::number_of;
+using test::scene_of;
+using test::unit_of;
+
+std::string usda(const std::string& prims, const std::string& unit = "1") {
+    return "#usda 1.0\n(\n    metersPerUnit = " + unit + "\n    upAxis = \"Z\"\n)\n" + prims;
+}
+
+FoundLight light_of(const std::string& type, const std::string& attributes, const std::string& unit = "1",
+                    const std::string& metadata = {}) {
+    const FoundScene scene =
+        scene_of(usda("def " + type + " \"lamp\" " + metadata + "{\n" + attributes + "\n}\n", unit));
+    EXPECT_EQ(scene.lights.size(), 1U);
+    return scene.lights.empty() ? FoundLight{} : scene.lights.front();
+}
+
+TEST(InterchangeUsd, DefaultsAreThoseOfTheSchema) {
+    const FoundLight sphere = light_of("SphereLight", "");
+    EXPECT_EQ(std::get<SphereShape>(*sphere.shape).radius.value, 0.5);
+    EXPECT_EQ(number_of(sphere), 1.0);
+    EXPECT_EQ(unit_of(sphere), "nt");
+    const FoundLight rect = light_of("RectLight", "");
+    EXPECT_EQ(std::get<RectShape>(*rect.shape).width.value, 1.0);
+    EXPECT_LT(glm::distance(rect.direction, glm::dvec3(0.0, 0.0, -1.0)), 1e-15);
+    const FoundLight sun = light_of("DistantLight", "");
+    EXPECT_EQ(number_of(sun), 50000.0);
+    EXPECT_EQ(unit_of(sun), "nt"); // over 0.53°: 3.36 lx
+    EXPECT_NEAR(to_degrees(std::get<SunShape>(*sun.shape).diameter), 0.53, 1e-12);
+    EXPECT_EQ(unit_of(light_of("DistantLight", "bool inputs:normalize = 1")), "lx");
+    const FoundScene silent = scene_of("#usda 1.0\ndef SphereLight \"a\" {}\n");
+    EXPECT_EQ(silent.meters_per_unit, 0.01);
+    EXPECT_EQ(silent.diagnostics.size(), 2U); // unit and axis are assumed
+}
+
+TEST(InterchangeUsd, AmountIsIntensityExposureColourTemperature) {
+    const FoundLight light = light_of("RectLight", "float inputs:intensity = 3\nfloat inputs:exposure = 4\n"
+                                                   "color3f inputs:color = (0, 0, 1)");
+    EXPECT_NEAR(number_of(light), 48.0 * rec709_luminance.z, 1e-12);
+    const FoundLight warm = light_of("RectLight", "float intensity = 5\nbool enableColorTemperature = true\n"
+                                                  "float colorTemperature = 3000"); // names before 21.02
+    EXPECT_NEAR(number_of(warm), 5.0, 1e-12);
+    EXPECT_EQ(warm.temperature->value, 3000.0);
+    EXPECT_LT(glm::distance(warm.color, *parse_light_color("3000K")), 1e-12);
+    EXPECT_EQ(light_of("RectLight", "float inputs:colorTemperature = 3000").temperature.has_value(), false);
+}
+
+TEST(InterchangeUsd, NormalizeDividesByTheWorldAreaInStageUnits) {
+    const std::string scaled = "double3 xformOp:scale = (2, 2, 2)\nuniform token[] xformOpOrder = [\"xformOp:scale\"]\n"
+                               "bool inputs:normalize = 1\nfloat inputs:intensity = 100\n";
+    EXPECT_NEAR(number_of(light_of("RectLight", scaled)), 25.0, 1e-12);
+    EXPECT_NEAR(number_of(light_of("DiskLight", scaled)), 100.0 / pi, 1e-12); // radius 1
+    EXPECT_NEAR(number_of(light_of("SphereLight", scaled)), 100.0 / (4.0 * pi), 1e-12);
+    const FoundLight centimeters = light_of("RectLight", scaled, "0.01");
+    EXPECT_NEAR(number_of(centimeters), 25.0, 1e-12);
+    EXPECT_NEAR(std::get<RectShape>(*centimeters.shape).width.value, 0.02, 1e-15);
+    EXPECT_TRUE(has_remark(centimeters, "SCN0201"));
+    // A cylinder of radius 1 and length 2 has 4π; the tube has caps, and the same flux.
+    EXPECT_NEAR(number_of(light_of("CylinderLight", scaled)), 100.0 / (4.0 * pi) / 2.0, 1e-12);
+}
+
+TEST(InterchangeUsd, ShapingMakesSpotsAndProfiles) {
+    const std::string point = "bool treatAsPoint = 1\nfloat inputs:radius = 2\nfloat inputs:intensity = 10\n";
+    const FoundLight plain = light_of("SphereLight", point);
+    EXPECT_TRUE(std::holds_alternative<PointShape>(*plain.shape));
+    EXPECT_NEAR(number_of(plain), 40.0 * pi, 1e-12);
+    EXPECT_EQ(unit_of(plain), "cd");
+    const FoundLight spot = light_of("SphereLight", point + "float inputs:shaping:cone:angle = 40\n"
+                                                            "float inputs:shaping:cone:softness = 0.25");
+    const auto& cone = std::get<SpotShape>(*spot.shape);
+    EXPECT_NEAR(to_degrees(cone.outer), 40.0, 1e-12);
+    EXPECT_NEAR(to_degrees(cone.inner), 30.0, 1e-12);
+    EXPECT_EQ(cone.falloff, Falloff::smoothstep_angle);
+    // The API alone cuts the back half off.
+    const FoundLight half = light_of("SphereLight", point, "1", "(prepend apiSchemas = [\"ShapingAPI\"])");
+    EXPECT_NEAR(to_degrees(std::get<SpotShape>(*half.shape).outer), 90.0, 1e-12);
+    const FoundLight profile = light_of("SphereLight", point + "asset inputs:shaping:ies:file = @./lamp.ies@");
+    EXPECT_EQ(std::get<ProfileShape>(*profile.shape).file, "./lamp.ies");
+    EXPECT_NEAR(profile.profile_scale, 40.0 * pi, 1e-12);
+    const FoundLight normalized = light_of("SphereLight", point + "asset inputs:shaping:ies:file = @lamp.ies@\n"
+                                                                  "bool inputs:shaping:ies:normalize = 1");
+    EXPECT_NEAR(number_of(normalized), 160.0 * pi * pi, 1e-9);
+    EXPECT_EQ(unit_of(normalized), "lm");
+    EXPECT_FALSE(light_of("SphereLight", point + "float inputs:shaping:focus = 2").is_converted());
+    EXPECT_FALSE(light_of("RectLight", "float inputs:shaping:cone:angle = 30").is_converted());
+    EXPECT_TRUE(light_of("RectLight", "float inputs:shaping:cone:angle = 90").is_converted());
+    EXPECT_FALSE(light_of("DomeLight", "").is_converted());
+}
+
+TEST(InterchangeUsd, TransformationsOpsParentsAndResets) {
+    const FoundScene scene = scene_of(usda(R"(def Xform "rig" {
+        double3 xformOp:translate = (1, 2, 3)
+        float xformOp:rotateX:tilt = 90
+        uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateX:tilt"]
+        def RectLight "a" { }
+        def RectLight "b" {
+            double3 xformOp:translate = (0, 0, 1)
+            uniform token[] xformOpOrder = ["!resetXformStack!", "xformOp:translate", "!invert!xformOp:translate"]
+        }
+        def RectLight "c" { float3 xformOp:rotateXYZ = (0, 0, 90)
+            uniform token[] xformOpOrder = ["xformOp:rotateXYZ"] }
+        def RectLight "d" { matrix4d xformOp:transform = ( (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (7, 8, 9, 1) )
+            uniform token[] xformOpOrder = ["!resetXformStack!", "xformOp:transform"] }
+    })"));
+    ASSERT_EQ(scene.lights.size(), 4U);
+    EXPECT_EQ(scene.lights[0].place, "/rig/a");
+    EXPECT_LT(glm::distance(scene.lights[0].position, glm::dvec3(1.0, 2.0, 3.0)), 1e-14);
+    EXPECT_LT(glm::distance(scene.lights[0].direction, glm::dvec3(0.0, 1.0, 0.0)), 1e-14); // −Z by 90° about X
+    EXPECT_LT(glm::distance(scene.lights[1].position, glm::dvec3(0.0)), 1e-14);
+    EXPECT_LT(glm::distance(scene.lights[2].up, glm::dvec3(-1.0, 0.0, 0.0)), 1e-14);
+    EXPECT_LT(glm::distance(scene.lights[3].position, glm::dvec3(7.0, 8.0, 9.0)), 1e-14);
+}
+
+TEST(InterchangeUsd, WhatIsNotShownOrNotFollowedIsSaid) {
+    const FoundScene scene = scene_of(usda(R"(class "c" { def SphereLight "a" {} }
+over "o" { def SphereLight "b" {} }
+def Xform "off" (active = false) { def SphereLight "c" {} }
+def Xform "hidden" { token visibility = "invisible" def SphereLight "d" {} }
+def "ref" ( prepend references = @lamp.usda@</lamp> (offset = 1) ) { }
+def "set" ( variants = { string v = "x" } prepend variantSets = "v" ) {
+    variantSet "v" = { "x" { def SphereLight "e" {} } "y" ( ) { } }
+    rel material:binding = </a/b> ( bindMaterialAs = "x" )
+    rel many = [ </a>, </b> ]
+}
+def SphereLight "moving" { float inputs:intensity.timeSamples = { 2: 5, 1: 4, } custom dictionary d = { string s = "}" } })"));
+    ASSERT_EQ(scene.lights.size(), 6U);
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_TRUE(has_remark(scene.lights[i], "SCN0204")) << i;
+    EXPECT_EQ(number_of(scene.lights[5]), 4.0);
+    EXPECT_TRUE(has_remark(scene.lights[5], "SCN0201"));
+    ASSERT_EQ(scene.diagnostics.size(), 1U);
+    EXPECT_EQ(scene.diagnostics[0].code, "SCN0107");
+    EXPECT_EQ(scene.diagnostics[0].location.line, 10U);
+}
+
+TEST(InterchangeUsd, BrokenFilesFailWithTheirPlace) {
+    const auto code = [](const std::string& text) { return failure_of(usda(text)).code; };
+    EXPECT_EQ(code("def SphereLight \"a\" {"), "SCN0102");
+    EXPECT_EQ(code("def SphereLight \"a"), "SCN0102");
+    EXPECT_EQ(code("}"), "SCN0102");
+    EXPECT_EQ(code("def SphereLight \"a\" { float inputs:intensity = }"), "SCN0102");
+    EXPECT_EQ(code("def SphereLight \"a\" { float inputs:intensity = (1, 2) }"), "SCN0105");
+    EXPECT_EQ(code("def SphereLight \"a\" { float inputs:intensity = nan }"), "SCN0105");
+    EXPECT_EQ(code("def SphereLight \"a\" { float inputs:intensity = -inf }"), "SCN0105");
+    EXPECT_EQ(code("def SphereLight \"a\" { float inputs:intensity = 1e999 }"), "SCN0105");
+    EXPECT_EQ(code("def SphereLight \"a\" { color3f inputs:color = (1, 2) }"), "SCN0105");
+    EXPECT_EQ(code("def SphereLight \"a\" { uniform token[] xformOpOrder = [\"xformOp:gone\"] }"), "SCN0103");
+    EXPECT_EQ(code("def SphereLight \"a\" { matrix4d xformOp:transform = (1) uniform token[] xformOpOrder = "
+                   "[\"xformOp:transform\"] }"),
+              "SCN0105");
+    std::string deep;
+    for (int i = 0; i < 1000; ++i)
+        deep += "def \"a\" {\n";
+    EXPECT_EQ(code(deep), "SCN0108");
+    EXPECT_EQ(code("def \"a\" { int[] b = " + std::string(1000, '[') + "}"), "SCN0108");
+    EXPECT_EQ(failure_of("#usda 1.0\n\n  5").location.line, 3U);
+    EXPECT_EQ(failure_of("#usda 1.0\n( metersPerUnit = 0 )").code, "SCN0105");
+}
+
+} // namespace
+
+} // namespace gonio
