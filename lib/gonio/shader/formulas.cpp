@@ -12,10 +12,12 @@
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/occlusion.hpp>
+#include <gonio/shading/shade.hpp>
 
 #include <array>
 #include <numbers>
 #include <string>
+#include <type_traits>
 
 namespace gonio::shader {
 
@@ -30,10 +32,15 @@ Vector center_of(Function& f) {
     return f.vector("to_center", "[m] from the receiver to the light's centre");
 }
 Vector normal_of(Function& f) {
-    return f.vector("normal", "unit, the receiver's");
+    return f.unit("normal", "unit, the receiver's");
 }
 Vector emission_axis_of(Function& f) {
-    return f.vector("axis", "unit, the direction in which the light emits");
+    return f.unit("axis", "unit, the direction in which the light emits");
+}
+
+// The core's lights emit 1 nt and have no window.
+Vector ones() {
+    return {S(1), S(1), S(1)};
 }
 
 struct Sphere {
@@ -41,6 +48,7 @@ struct Sphere {
     S radius;
     Vector normal;
     explicit Sphere(Function& f) : to_center(center_of(f)), radius(f.size("radius", "[m]")), normal(normal_of(f)) {}
+    core::SphereLight<S> as_light() const { return {to_center, ones(), radius, S(0)}; }
 };
 struct Disk {
     Vector to_center, axis;
@@ -48,6 +56,7 @@ struct Disk {
     Vector normal;
     explicit Disk(Function& f)
         : to_center(center_of(f)), axis(emission_axis_of(f)), radius(f.size("radius", "[m]")), normal(normal_of(f)) {}
+    core::DiskLight<S> as_light() const { return {to_center, ones(), axis, radius, S(0), false}; }
 };
 struct Rectangle {
     Vector to_center, axis, width_direction;
@@ -56,10 +65,13 @@ struct Rectangle {
     explicit Rectangle(Function& f)
         : to_center(center_of(f)),
           axis(emission_axis_of(f)),
-          width_direction(f.vector("width_direction", "unit, across the axis")),
+          width_direction(f.unit("width_direction", "unit, across the axis")),
           width(f.size("width", "[m]")),
           height(f.size("height", "[m] across the width")),
           normal(normal_of(f)) {}
+    core::RectangleLight<S> as_light() const {
+        return {to_center, ones(), axis, width_direction, width, height, S(0), false};
+    }
 };
 struct Tube {
     Vector to_center, axis;
@@ -67,10 +79,11 @@ struct Tube {
     Vector normal;
     explicit Tube(Function& f)
         : to_center(center_of(f)),
-          axis(f.vector("axis", "unit, along the tube")),
+          axis(f.unit("axis", "unit, along the tube")),
           radius(f.size("radius", "[m]")),
           length(f.size("tube_length", "[m] without the hemispheres at its ends")),
           normal(normal_of(f)) {}
+    core::TubeLight<S> as_light() const { return {to_center, ones(), axis, radius, length, S(0)}; }
 };
 
 void name_direction(Function& f, const core::Direction<S>& d) {
@@ -261,7 +274,7 @@ void tube_stages(Function& f, const Tube& light) {
 
 void sun_exact(Function& f) {
     core::SunLight<S> light{};
-    light.toward = f.vector("toward", "unit, from the receiver to the sun's centre");
+    light.toward = f.unit("toward", "unit, from the receiver to the sun's centre");
     light.sine = f.size("sin_radius", "sine of the sun's angular radius, 0.0047 for the sun of the sky");
     light.cosine = f.size("cos_radius", "cosine of it");
     f.returns(core::detail::irradiance(light, light.toward, normal_of(f)));
@@ -301,15 +314,27 @@ void point_window_gltf(Function& f) {
     f.returns(light.illuminance(f) * core::window_gltf(length(light.to_light), inverse_range));
 }
 
+struct Spot : Punctual {
+    Vector aim;
+    S inner, outer;
+    explicit Spot(Function& f)
+        : Punctual(f),
+          aim(f.unit("aim", "unit, from the light along its beam")),
+          inner(f.size("inner", "[rad] half angle of full intensity, in [0, outer]")),
+          outer(f.size("outer", "[rad] half angle of the beam's edge, in [0, pi]")) {}
+
+    S theta(Function& f) const {
+        const S angle = core::angle_from_aim(aim, to_light * S(-1));
+        f.label("theta", angle);
+        return angle;
+    }
+};
+
 template<S (*lobe)(S, S, S)>
 void spot(Function& f) {
-    const Punctual light(f);
-    const Vector aim = f.vector("aim", "unit, from the light along its beam");
-    const S inner = f.size("inner", "[rad] half angle of full intensity, in [0, outer]");
-    const S outer = f.size("outer", "[rad] half angle of the beam's edge, in [0, pi]");
-    const S theta = core::angle_from_aim(aim, light.to_light * S(-1));
-    f.label("theta", theta);
-    f.returns(light.illuminance(f) * lobe(theta, inner, outer));
+    const Spot light(f);
+    const S theta = light.theta(f);
+    f.returns(light.illuminance(f) * lobe(theta, light.inner, light.outer));
 }
 
 // Materials: f [1/sr] for light from l, seen from v.
@@ -378,23 +403,27 @@ Vector brdf_of(Function& f, const Material& material, const Ways& ways) {
 
 template<auto material>
 void brdf(Function& f) {
-    const Vector n = f.vector("n", "unit, the surface's normal");
-    const Vector l = f.vector("l", "unit, to the light");
-    const Vector v = f.vector("v", "unit, to the eye");
+    const Vector n = f.unit("n", "unit, the surface's normal");
+    const Vector l = f.unit("l", "unit, to the light");
+    const Vector v = f.unit("v", "unit, to the eye");
     const auto of = material(f);
     f.returns(brdf_of(f, of, {n, l, v}));
 }
 
-// Luminance per candela of a point light.
-template<auto material>
-void shade_point(Function& f) {
-    const Punctual light(f);
-    const Vector view = f.vector("view", "unit, from the surface to the eye");
+// Luminance per candela of a point light or a spot.
+template<class Light, auto material>
+void shade_punctual(Function& f) {
+    const Light light(f);
+    const Vector view = f.unit("view", "unit, from the surface to the eye");
     const auto of = material(f);
     const core::Direction<S> d = core::direction(light.to_light, light.normal);
     const Vector l = d.scaled * d.inverse_distance;
     f.label("l", l);
-    f.returns(brdf_of(f, of, {light.normal, l, view}) * light.illuminance(f));
+    const Vector result = brdf_of(f, of, {light.normal, l, view}) * light.illuminance(f);
+    if constexpr (std::is_same_v<Light, Spot>)
+        f.returns(result * core::lobe_frostbite(light.theta(f), light.inner, light.outer));
+    else
+        f.returns(result);
 }
 
 // Changes what is returned in every stage.
@@ -413,6 +442,27 @@ void shade_lambert(Function& f) {
     for (Stage& stage : f.stages)
         stage.value = (albedo * (S::of(stage.value) * S(std::numbers::inv_pi))).node();
     f.result = Type::vector;
+}
+
+// The same for a material with a highlight: the diffuse part by the exact irradiance, the highlight by a representative
+// point.
+template<class Light, void (*stages)(Function&, const Light&), auto material>
+void shade_area(Function& f) {
+    const Light light(f);
+    const Vector view = f.unit("view", "unit, from the surface to the eye");
+    const auto of = material(f);
+    const core::SurfacePoint<S> point{{S(0), S(0), S(0)}, light.normal, view};
+    const Vector highlight =
+        core::detail::glossy_part<core::SpecularMethod::representative_point>(point, light.as_light(), of);
+    const Vector diffuse = core::diffuse_part(of, light.normal, light.normal, view);
+    f.label("highlight", highlight);
+    f.label("diffuse", diffuse);
+    stages(f, light);
+    for (Stage& stage : f.stages)
+        stage.value = (diffuse * S::of(stage.value) + highlight).node();
+    f.result = Type::vector;
+    const NodeId last = f.stages.back().value;
+    if (f.stages.front().value == last) f.stages = {{no_node, last, {}}}; // there is no diffuse part
 }
 
 template<class Light, void (*stages)(Function&, const Light&)>
@@ -504,6 +554,26 @@ constexpr Formula shade_point_row(std::string_view material, std::string_view fu
             {error, error},
             "the result + 0.1 / (square of the distance)",
             {},
+            record};
+}
+constexpr Formula shade_spot_row(std::string_view material, std::string_view function, std::string_view title,
+                                 std::string_view source, double error, void (*record)(Function&)) {
+    Formula formula = shade_point_row(material, function, title, source, error, record);
+    formula.names.light = "spot";
+    formula.names.method = "frostbite";
+    return formula;
+}
+constexpr Formula highlight_row(std::string_view light, std::string_view material, std::string_view function,
+                                std::string_view title, ShaderError error, void (*record)(Function&)) {
+    return {{"shade", light, "representative-point", material, {}},
+            function,
+            title,
+            "luminance of red, green and blue per luminance of the light",
+            "exact irradiance; highlight by the representative point of Karis, Real Shading in Unreal Engine 4, 2013",
+            error,
+            "the result + 0.1 * (angle [rad] that the light subtends)",
+            light == "disk" || light == "rect" ? "nearer to the light than a tenth of its size, where the method jumps"
+                                               : "nearer to the light than a tenth of its size",
             record};
 }
 constexpr Formula shade_area_row(std::string_view light, std::string_view function, std::string_view title,
@@ -619,18 +689,34 @@ constexpr std::array all{
              2e-5, brdf<blinn>),
     brdf_row("ggx", "ggx_brdf", "GGX alone, single scattering, with height-correlated shadowing.", heitz, 2e-5,
              brdf<ggx>),
-    shade_point_row("lambert", "point_shade_lambert", "A Lambert surface under a point light.", "Lambert 1760", 4e-7,
-                    shade_point<lambert>),
-    shade_point_row("eon", "point_shade_eon", "An EON surface under a point light.", eon_paper, 3e-5, shade_point<eon>),
+    shade_point_row("lambert", "point_shade_lambert", "A Lambert surface under a point light.", "Lambert 1760", 5e-7,
+                    shade_punctual<Punctual, lambert>),
+    shade_point_row("eon", "point_shade_eon", "An EON surface under a point light.", eon_paper, 7e-6,
+                    shade_punctual<Punctual, eon>),
     shade_point_row("frostbite", "point_shade_frostbite", "Frostbite's material under a point light.", frostbite_notes,
-                    5e-6, shade_point<frostbite>),
-    shade_point_row("ue4", "point_shade_ue4", "Unreal Engine 4's material under a point light.", karis, 2e-5,
-                    shade_point<ue4>),
-    shade_point_row("gltf", "point_shade_gltf", "The material of glTF 2.0 under a point light.", khronos, 2e-5,
-                    shade_point<gltf>),
-    shade_point_row("blinn", "point_shade_blinn", "The material of Remember Me under a point light.", remember_me, 2e-5,
-                    shade_point<blinn>),
-    shade_point_row("ggx", "point_shade_ggx", "A GGX surface under a point light.", heitz, 2e-5, shade_point<ggx>),
+                    4e-6, shade_punctual<Punctual, frostbite>),
+    shade_point_row("ue4", "point_shade_ue4", "Unreal Engine 4's material under a point light.", karis, 4e-6,
+                    shade_punctual<Punctual, ue4>),
+    shade_point_row("gltf", "point_shade_gltf", "The material of glTF 2.0 under a point light.", khronos, 6e-6,
+                    shade_punctual<Punctual, gltf>),
+    shade_point_row("blinn", "point_shade_blinn", "The material of Remember Me under a point light.", remember_me, 3e-5,
+                    shade_punctual<Punctual, blinn>),
+    shade_point_row("ggx", "point_shade_ggx", "A GGX surface under a point light.", heitz, 4e-6,
+                    shade_punctual<Punctual, ggx>),
+    shade_spot_row("lambert", "spot_shade_lambert", "A Lambert surface under a spot that fades as in Frostbite.",
+                   "Lambert 1760", 5e-6, shade_punctual<Spot, lambert>),
+    shade_spot_row("eon", "spot_shade_eon", "An EON surface under a spot that fades as in Frostbite.", eon_paper, 4e-6,
+                   shade_punctual<Spot, eon>),
+    shade_spot_row("frostbite", "spot_shade_frostbite", "Frostbite's material under a spot that fades as in Frostbite.",
+                   frostbite_notes, 4e-6, shade_punctual<Spot, frostbite>),
+    shade_spot_row("ue4", "spot_shade_ue4", "Unreal Engine 4's material under a spot that fades as in Frostbite.",
+                   karis, 2e-5, shade_punctual<Spot, ue4>),
+    shade_spot_row("gltf", "spot_shade_gltf", "The material of glTF 2.0 under a spot that fades as in Frostbite.",
+                   khronos, 4e-6, shade_punctual<Spot, gltf>),
+    shade_spot_row("blinn", "spot_shade_blinn", "The material of Remember Me under a spot that fades as in Frostbite.",
+                   remember_me, 7e-6, shade_punctual<Spot, blinn>),
+    shade_spot_row("ggx", "spot_shade_ggx", "A GGX surface under a spot that fades as in Frostbite.", heitz, 5e-6,
+                   shade_punctual<Spot, ggx>),
     shade_area_row("sphere", "sphere_shade_lambert", "A Lambert surface under a uniform sphere, exact.", snyder,
                    {3e-7, 4e-6}, shade_lambert<Sphere, sphere_stages>),
     shade_area_row("disk", "disk_shade_lambert", "A Lambert surface under a uniform one-sided disk, exact.",
@@ -639,6 +725,31 @@ constexpr std::array all{
                    lambert_integral, {1e-6, 2e-5}, shade_lambert<Rectangle, rectangle_stages>),
     shade_area_row("tube", "tube_shade_lambert", "A Lambert surface under a uniform tube, exact.", lambert_integral,
                    {9e-7, 7e-6}, shade_lambert<Tube, tube_stages>),
+    highlight_row("sphere", "ue4", "sphere_shade_ue4", "Unreal Engine 4's material under a uniform sphere.",
+                  {2e-4, 2e-4}, shade_area<Sphere, sphere_stages, ue4>),
+    highlight_row("sphere", "blinn", "sphere_shade_blinn", "The material of Remember Me under a uniform sphere.",
+                  {2e-5, 2e-5}, shade_area<Sphere, sphere_stages, blinn>),
+    highlight_row("sphere", "ggx", "sphere_shade_ggx", "A GGX surface under a uniform sphere.", {2e-3, 2e-3},
+                  shade_area<Sphere, sphere_stages, ggx>),
+    highlight_row("disk", "ue4", "disk_shade_ue4", "Unreal Engine 4's material under a uniform one-sided disk.",
+                  {4e-5, 2e-2}, shade_area<Disk, disk_stages, ue4>),
+    highlight_row("disk", "blinn", "disk_shade_blinn", "The material of Remember Me under a uniform one-sided disk.",
+                  {2e-5, 5e-4}, shade_area<Disk, disk_stages, blinn>),
+    highlight_row("disk", "ggx", "disk_shade_ggx", "A GGX surface under a uniform one-sided disk.", {4e-5, 3e-2},
+                  shade_area<Disk, disk_stages, ggx>),
+    highlight_row("rect", "ue4", "rect_shade_ue4", "Unreal Engine 4's material under a uniform one-sided rectangle.",
+                  {3e-5, 2e-1}, shade_area<Rectangle, rectangle_stages, ue4>),
+    highlight_row("rect", "blinn", "rect_shade_blinn",
+                  "The material of Remember Me under a uniform one-sided rectangle.", {7e-7, 2e-3},
+                  shade_area<Rectangle, rectangle_stages, blinn>),
+    highlight_row("rect", "ggx", "rect_shade_ggx", "A GGX surface under a uniform one-sided rectangle.", {3e-5, 5e-1},
+                  shade_area<Rectangle, rectangle_stages, ggx>),
+    highlight_row("tube", "ue4", "tube_shade_ue4", "Unreal Engine 4's material under a uniform tube.", {2e-4, 5e-4},
+                  shade_area<Tube, tube_stages, ue4>),
+    highlight_row("tube", "blinn", "tube_shade_blinn", "The material of Remember Me under a uniform tube.",
+                  {3e-6, 2e-5}, shade_area<Tube, tube_stages, blinn>),
+    highlight_row("tube", "ggx", "tube_shade_ggx", "A GGX surface under a uniform tube.", {7e-5, 3e-4},
+                  shade_area<Tube, tube_stages, ggx>),
     visibility_row("sphere", "sky_visibility_sphere", "What a sphere leaves of a uniform sky, exact.",
                    "1 - E/(pi L) of a sphere that emits L", {6e-7, 6e-6}, visibility<Sphere, sphere_stages>),
     visibility_row("capsule", "sky_visibility_capsule",

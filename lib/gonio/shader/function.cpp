@@ -29,6 +29,11 @@ Vector Function::vector(std::string_view parameter, std::string_view meaning) {
                           [&](std::uint8_t index) { return Vector::of(graph.parameter(index, Type::vector, false)); });
 }
 
+Vector Function::unit(std::string_view parameter, std::string_view meaning) {
+    return next_parameter(*this, parameter, Type::vector, meaning,
+                          [&](std::uint8_t index) { return Vector::of(graph.parameter(index, Type::vector, true)); });
+}
+
 void Function::label_node(std::string_view as, NodeId node, std::string_view note) {
     const Operation operation = graph[node].operation;
     if (operation == Operation::parameter || operation == Operation::constant || operation == Operation::component ||

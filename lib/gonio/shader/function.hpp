@@ -39,6 +39,7 @@ struct Function {
     Recorded scalar(std::string_view parameter, std::string_view meaning = {});
     Recorded size(std::string_view parameter, std::string_view meaning = {}); // never negative
     Vector vector(std::string_view parameter, std::string_view meaning = {});
+    Vector unit(std::string_view parameter, std::string_view meaning = {}); // of length 1
 
     // Gives nodes their names, if they are neither a parameter nor a constant. A note is a comment before its line.
     void label(std::string_view as, Recorded value, std::string_view note = {});

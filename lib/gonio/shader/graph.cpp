@@ -134,8 +134,8 @@ NodeId Graph::truth(bool value) {
     return add({Operation::truth, Type::mask, 0, {no_node, no_node, no_node}, value ? 1.0 : 0.0});
 }
 
-NodeId Graph::parameter(std::uint8_t index, Type type, bool never_negative) {
-    return add({Operation::parameter, type, index, {no_node, no_node, no_node}, never_negative ? 1.0 : 0.0});
+NodeId Graph::parameter(std::uint8_t index, Type type, bool never_negative_or_unit) {
+    return add({Operation::parameter, type, index, {no_node, no_node, no_node}, never_negative_or_unit ? 1.0 : 0.0});
 }
 
 bool Graph::is_zero_vector(NodeId id) const {
@@ -188,7 +188,7 @@ NodeId Graph::add_simplified(NodeId a, NodeId b) {
 }
 
 NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
-    if (is_constant(b, 0.0) && nodes_[a].type == Type::scalar) return a;
+    if (is_zero_vector(b) || (is_constant(b, 0.0) && nodes_[a].type == Type::scalar)) return a;
     if (is_constant(a, 0.0) && nodes_[b].type == Type::scalar) return unary(Operation::negate, b);
     if (is_negated(b)) return binary(Operation::add, a, nodes_[b].arguments[0]);
     if (a == b) return zero_like(a);
@@ -203,7 +203,8 @@ NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
 NodeId Graph::multiply_simplified(NodeId a, NodeId b) {
     if (is_free_scale(a)) return is_constant(b) && is_power_of_two(nodes_[b].number) ? a : b;
     if (is_constant(b)) return binary(Operation::multiply, b, a); // the constant comes first
-    if (is_constant(a, 0.0)) return zero_like(b);
+    if (is_constant(a, 0.0) || is_zero_vector(b)) return zero_like(b);
+    if (is_zero_vector(a)) return a;
     if (is_constant(a, 1.0)) return b;
     if (is_constant(a, -1.0)) return unary(Operation::negate, b);
     if (is_negated(a) && is_negated(b))
@@ -298,6 +299,8 @@ NodeId Graph::binary(Operation operation, NodeId a, NodeId b) {
         return constant(evaluated(operation, x, y));
     }
     if (is_comparison(operation)) return add({operation, Type::mask, 0, {a, b, no_node}, 0.0});
+    if (operation == Operation::dot && a == b && nodes_[a].operation == Operation::parameter && nodes_[a].number != 0.0)
+        return constant(1.0);
     if (operation == Operation::dot) return add({operation, Type::scalar, 0, {a, b, no_node}, 0.0});
     NodeId simpler = no_node;
     switch (operation) {

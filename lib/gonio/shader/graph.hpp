@@ -71,7 +71,7 @@ struct Node {
     Type type;
     std::uint8_t index = 0;
     std::array<NodeId, 3> arguments{no_node, no_node, no_node};
-    double number = 0.0; // of a parameter: 1 if it is never negative
+    double number = 0.0; // of a parameter: 1 if it is never negative, or a unit vector
 
     bool operator==(const Node&) const = default;
     std::size_t argument_count() const;
@@ -89,7 +89,7 @@ public:
     // Any power of two: 1, and a power of two times it is it again.
     NodeId free_scale();
     NodeId truth(bool value);
-    NodeId parameter(std::uint8_t index, Type type, bool never_negative);
+    NodeId parameter(std::uint8_t index, Type type, bool never_negative_or_unit);
     NodeId unary(Operation operation, NodeId a);
     NodeId binary(Operation operation, NodeId a, NodeId b);
     NodeId select(NodeId condition, NodeId if_true, NodeId if_false);

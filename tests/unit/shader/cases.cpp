@@ -59,6 +59,8 @@ struct Inputs {
         const double y = put(a.y);
         return {x, y, put(a.z)};
     }
+    double at(std::size_t i) const { return static_cast<double>(numbers[i]); }
+    core_vector vector(std::size_t i) const { return {at(i), at(i + 1), at(i + 2)}; }
 };
 
 // A light of any shape: half extents along three axes of its own, rounded by a radius.
@@ -247,33 +249,33 @@ double roughness(Dice& dice) {
     return dice.between(0.1, 1.0);
 }
 
-core_vector brdf_of(Dice& dice, Inputs& in, std::string_view material, core_vector n, core_vector l, core_vector v) {
+// Calls `use` with a random material of that name.
+template<class Use>
+core_vector with_material(Dice& dice, Inputs& in, std::string_view material, const Use& use) {
     const core_vector color = in.put(dice.color());
-    if (material == "lambert") return shading::brdf(shading::Lambert<double>{color}, n, l, v);
-    if (material == "eon") return shading::brdf(shading::Eon<double>{color, in.put(dice.between(0.0, 1.0))}, n, l, v);
+    if (material == "lambert") return use(shading::Lambert<double>{color});
+    if (material == "eon") return use(shading::Eon<double>{color, in.put(dice.between(0.0, 1.0))});
     if (material == "frostbite") {
         const double smoothness = in.put(1.0 - roughness(dice));
         const double metallic = in.put(dice.between(0.0, 1.0));
-        return shading::brdf(shading::frostbite_material(color, smoothness, metallic, in.put(dice.between(0.0, 1.0))),
-                             n, l, v);
+        return use(shading::frostbite_material(color, smoothness, metallic, in.put(dice.between(0.0, 1.0))));
     }
     if (material == "ue4") {
         const double metallic = in.put(dice.between(0.0, 1.0));
         const double rough = in.put(roughness(dice));
         const double specular = in.put(dice.between(0.0, 1.0));
-        return shading::brdf(shading::ue4_material(color, metallic, rough, specular, in.put(dice.between(0.0, 1.0))), n,
-                             l, v);
+        return use(shading::ue4_material(color, metallic, rough, specular, in.put(dice.between(0.0, 1.0))));
     }
     if (material == "gltf") {
         const double metallic = in.put(dice.between(0.0, 1.0));
-        return shading::brdf(shading::gltf_material(color, metallic, in.put(roughness(dice))), n, l, v);
+        return use(shading::gltf_material(color, metallic, in.put(roughness(dice))));
     }
     if (material == "blinn") {
         const core_vector f0 = in.put(dice.color());
         const double smoothness = in.put(dice.between(0.0, 1.0));
-        return shading::brdf(shading::blinn_material(color, f0, smoothness, in.put(dice.between(0.0, 1.0))), n, l, v);
+        return use(shading::blinn_material(color, f0, smoothness, in.put(dice.between(0.0, 1.0))));
     }
-    return shading::brdf(shading::Ggx<double>{color, in.put(dice.between(0.01, 1.0))}, n, l, v);
+    return use(shading::Ggx<double>{color, in.put(dice.between(0.01, 1.0))});
 }
 
 Expected area_case(Dice& dice, Inputs& in, std::string_view light, std::string_view method) {
@@ -284,6 +286,29 @@ Expected area_case(Dice& dice, Inputs& in, std::string_view light, std::string_v
     if (light == "sun") return sun_case(dice, in);
     if (light == "point") return point_case(dice, in, method);
     return spot_case(dice, in, method);
+}
+
+// The luminance of a material under a light that begins the inputs, with the highlight by a representative point.
+template<class Material>
+core_vector shaded(const Inputs& in, std::string_view light, const shading::SurfacePoint<double>& point, core_vector c,
+                   const Material& material) {
+    constexpr auto method = shading::SpecularMethod::representative_point;
+    const core_vector one{1.0, 1.0, 1.0};
+    if constexpr (Material::lobe != shading::LobeKind::none) {
+        if (light == "sphere")
+            return shading::shade<method>(point, shading::SphereLight<double>{c, one, in.at(3), 0.0}, material);
+        if (light == "disk")
+            return shading::shade<method>(point, shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false},
+                                          material);
+        if (light == "rect")
+            return shading::shade<method>(
+                point,
+                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false},
+                material);
+        return shading::shade<method>(point, shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0},
+                                      material);
+    }
+    return {};
 }
 
 Case random_case(const Formula& formula, Dice& dice) {
@@ -301,17 +326,31 @@ Case random_case(const Formula& formula, Dice& dice) {
         const core_vector n = in.put(dice.direction());
         const core_vector l = in.put(above(dice, n));
         const core_vector v = in.put(above(dice, n));
-        value = brdf_of(dice, in, names.material, n, l, v);
-    } else if (names.what == "shade" && names.light == "point") {
-        const core_vector aside = dice.direction();
-        const core_vector to_light = in.put(above(dice, aside) * dice.log_between(0.01, 100.0));
-        const core_vector n = in.put(aside);
+        value = with_material(dice, in, names.material, [&](const auto& of) { return shading::brdf(of, n, l, v); });
+    } else if (names.what == "shade" && (names.light == "point" || names.light == "spot")) {
+        const bool is_spot = names.light == "spot";
+        const Expected lit = is_spot ? spot_case(dice, in, names.method) : point_case(dice, in, names.method);
+        const core_vector to_light = in.vector(0);
+        const core_vector n = in.vector(3);
         const core_vector v = in.put(above(dice, n));
-        value = brdf_of(dice, in, names.material, n, shading::normalized(to_light), v) * inverse_square(to_light, n);
-        scale = 0.1 / shading::dot(to_light, to_light);
+        value = with_material(dice, in, names.material, [&](const auto& of) {
+            return shading::brdf(of, n, shading::normalized(to_light), v) * lit.value;
+        });
+        scale = lit.scale;
     } else if (names.what == "shade") {
-        take(area_case(dice, in, names.light, names.method));
-        value = value * in.put(dice.color()) * (1.0 / pi);
+        const Expected lit = area_case(dice, in, names.light, names.method);
+        const core_vector c = in.vector(0);
+        const core_vector n = in.vector(in.numbers.size() - 3);
+        scale = lit.scale;
+        is_near = lit.is_near;
+        if (names.material == "lambert") {
+            value = in.put(dice.color()) * (lit.value / pi);
+        } else {
+            const core_vector v = in.put(above(dice, n));
+            value = with_material(dice, in, names.material, [&](const auto& of) {
+                return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
+            });
+        }
     } else if (names.what == "visibility") {
         take(area_case(dice, in, names.shadow_of, names.method));
         const double left = std::clamp(1.0 - value.x / pi, 0.0, 1.0);
