@@ -1,13 +1,13 @@
 // Writes what the checks of tests/shader need: the source of every formula in every language, each as a whole shader,
 // and for running them poses with the values of the core in double.
 //
-//   gonio-shader-cases FOLDER
+//   gonio-shader-cases FOLDER BY_HAND
 //
 // FOLDER/LANGUAGE/FUNCTION.BRANCHES.EXTENSION are shaders for compilers: a fragment or compute stage that calls the
-// function. FOLDER/cases/FUNCTION.json has what a page needs to run it: source, parameters, inputs, expected values.
+// function; where BY_HAND has FUNCTION.glsl, so is FOLDER/glsl450/FUNCTION.hand.frag. FOLDER/cases/FUNCTION.json has
+// what a page needs to run it: source, parameters, inputs, expected values.
 #include "../unit/shader/cases.hpp"
 
-#include <gonio/base/file.hpp>
 #include <gonio/shader/formulas.hpp>
 #include <gonio/shader/print.hpp>
 
@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace {
 
@@ -122,8 +123,8 @@ nlohmann::ordered_json case_file(const Formula& formula, const Function& functio
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fputs("usage: gonio-shader-cases FOLDER\n", stderr);
+    if (argc != 3) {
+        std::fputs("usage: gonio-shader-cases FOLDER BY_HAND\n", stderr);
         return 2;
     }
     const std::filesystem::path folder = argv[1];
@@ -139,7 +140,15 @@ int main(int argc, char** argv) {
                  {std::pair{ShaderBranches::real, "real"}, {ShaderBranches::select, "select"}})
                 write(folder / target.folder / fmt::format("{}.{}.{}", function.name, name, target.extension),
                       whole_shader(target, function, printed({&only, 1}, target.language, branches)));
-        write(folder / "cases" / (function.name + ".json"), case_file(formula, function).dump());
+        nlohmann::ordered_json cases = case_file(formula, function);
+        const std::filesystem::path by_hand = std::filesystem::path(argv[2]) / (function.name + ".glsl");
+        if (std::filesystem::exists(by_hand)) {
+            std::ifstream file(by_hand);
+            const std::string text{std::istreambuf_iterator<char>(file), {}};
+            write(folder / "glsl450" / (function.name + ".hand.frag"), whole_shader(targets[1], function, text));
+            cases["hand"] = "precision highp float;\n" + text;
+        }
+        write(folder / "cases" / (function.name + ".json"), cases.dump());
     }
     return 0;
 }

@@ -7,7 +7,7 @@
 # spirv-cross. The MSL that gonio prints is compiled by g++ with a stand-in for Metal's library, which checks syntax and
 # types; Apple's compiler runs on macOS only. WGSL is checked in the browser (browser.mjs), whose compiler is tint.
 # FOLDER/instructions.txt gets a line for each function: its name, then the instructions of its whole shader after
-# spirv-opt -O, with early returns and with selects.
+# spirv-opt -O, with early returns, with selects, and of the one written by hand if there is one.
 set -euo pipefail
 
 folder=$1
@@ -58,7 +58,10 @@ done
 : >"$folder/instructions.txt"
 for spirv in "$folder"/glsl450/*.real.spv; do
     name=$(basename "$spirv" .real.spv)
-    echo "$name $(instructions "$spirv") $(instructions "$folder/glsl450/$name.select.spv")" >>"$folder/instructions.txt"
+    counts="$(instructions "$spirv") $(instructions "$folder/glsl450/$name.select.spv")"
+    by_hand=$folder/glsl450/$name.hand.spv
+    [[ ! -e $by_hand ]] || counts+=" $(instructions "$by_hand")"
+    echo "$name $counts" >>"$folder/instructions.txt"
 done
 echo "$passed compilations passed, $failed failed"
 ((failed == 0))

@@ -5,7 +5,8 @@
 #   bash tests/shader/run.sh [BUILD]
 #
 # BUILD is a configured build folder (build/release). What is missing is installed by apt, one package of npm into
-# BUILD/shader. Prints the table of lib/gonio/shader/README.md: instructions after spirv-opt, and the errors.
+# BUILD/shader. Prints the tables of lib/gonio/shader/README.md: instructions after spirv-opt, errors, and time beside
+# shaders written by hand (by_hand/).
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -30,6 +31,6 @@ fi
 
 cmake --build "$build" --target gonio-shader-cases
 rm -rf "$work/made"
-"$build/tests/gonio-shader-cases" "$work/made"
+"$build/tests/gonio-shader-cases" "$work/made" "$root/tests/shader/by_hand"
 bash "$root/tests/shader/compilers.sh" "$work/made"
 node "$root/tests/shader/browser.mjs" "$work"
