@@ -29,12 +29,14 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/spatial_illuminance.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/shader/shader.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/sky_description.hpp>
 
 #include "preview/layers.hpp"
 #include "preview/picture_method.hpp"
 #include "preview/sweep_axis.hpp"
+#include "shader/request.hpp"
 
 #ifndef GONIO_NO_BENCH
 #include <gonio/measure/scaling.hpp>
@@ -43,6 +45,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace gonio::cli {
@@ -374,6 +377,49 @@ Entries suites() {
 }
 #endif
 
+Entries shader_langs() {
+    Entries entries;
+    for (const ShaderLanguageName& language : shader_languages())
+        entries.push_back({std::string(language.name), std::string(language.help)});
+    return entries;
+}
+
+Entries shaders() {
+    Entries entries;
+    for (std::size_t i = 0; i < shader_formula_count(); ++i) {
+        const ShaderFormulaInfo info = shader_formula(i);
+        entries.push_back({shader_options_of(info.formula), fmt::format("{}: {}", info.function, info.title)});
+    }
+    return entries;
+}
+
+// Each value of one part of the formulas, with those of another part that go with it.
+Entries shader_parts(std::string_view ShaderFormula::*part, std::string_view ShaderFormula::*with) {
+    Entries entries;
+    for (const std::string_view value : shader_values(part)) {
+        std::vector<std::string_view> others;
+        for (std::size_t i = 0; i < shader_formula_count(); ++i) {
+            const ShaderFormula formula = shader_formula(i).formula;
+            const std::string_view other = formula.*with;
+            if (formula.*part == value && !other.empty() &&
+                std::find(others.begin(), others.end(), other) == others.end())
+                others.push_back(other);
+        }
+        entries.push_back({std::string(value), fmt::format("{}", fmt::join(others, ", "))});
+    }
+    return entries;
+}
+
+Entries shader_lights() {
+    return shader_parts(&ShaderFormula::light, &ShaderFormula::method);
+}
+Entries shader_methods() {
+    return shader_parts(&ShaderFormula::method, &ShaderFormula::light);
+}
+Entries shader_materials() {
+    return shader_parts(&ShaderFormula::material, &ShaderFormula::what);
+}
+
 Entries targets() {
     Entries entries;
     for (const Target& target : gonio::targets())
@@ -414,6 +460,11 @@ constexpr std::array lists{
     NamedList{"scalings", "what bench --scaling measures", scalings},
 #endif
     NamedList{"scene-formats", "scenes of other programs that lights reads", scenes},
+    NamedList{"shader-langs", "languages of shader", shader_langs},
+    NamedList{"shader-lights", "lights of shader, with their methods", shader_lights},
+    NamedList{"shader-materials", "materials of shader, with what is computed", shader_materials},
+    NamedList{"shader-methods", "methods of shader, with their lights", shader_methods},
+    NamedList{"shaders", "functions that shader prints", shaders},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"skies", "skies of sky", skies},

@@ -15,6 +15,7 @@ extern const Command sample_command;
 extern const Command compare_command;
 extern const Command plot_command;
 extern const Command report_command;
+extern const Command shader_command;
 extern const Command sheet_command;
 extern const Command bake_command;
 extern const Command import_command;
@@ -56,6 +57,7 @@ static constexpr std::array all{
     &road_command,
     &preview_command,
     &sky_command,
+    &shader_command,
 #ifndef GONIO_NO_BENCH
     &bench_command,
 #endif

@@ -54,7 +54,7 @@ int run(const Arguments& arguments, Console& console) {
                 .value());
     if (arguments.positional().empty()) {
         for (const NamedList& list : named_lists())
-            console.print(fmt::format("{:<16}{}\n", list.name, list.summary));
+            console.print(fmt::format("{:<18}{}\n", list.name, list.summary));
         return 0;
     }
     const std::string& name = arguments.positional().front();

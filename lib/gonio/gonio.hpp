@@ -103,6 +103,7 @@
 #include <gonio/scene/reference.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/shader/shader.hpp>
 #include <gonio/shading/coat_order.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/cie_sky.hpp>

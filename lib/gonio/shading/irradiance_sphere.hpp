@@ -40,8 +40,8 @@ struct SphereAbove {
 
     GONIO_FORCE_INLINE SphereAbove(const Direction<S>& to_center, S radius) {
         const S c = to_center.n_dot_l;
-        // The scaled distance is below 7: a larger radius makes no difference and could overflow.
-        scaled_radius = simd::min(simd::abs(radius) * to_center.scale, S(8));
+        // The scaled distance is below 7: a larger radius makes no difference, and its square would overflow.
+        scaled_radius = simd::min(simd::abs(radius) * to_center.scale, S(1e18));
         s = simd::min(scaled_radius * to_center.inverse_distance, S(1));
         irradiance = S(std::numbers::pi) * s * s * simd::max(c, S(0));
         const vec3<S> p = to_center.scaled;

@@ -1,0 +1,774 @@
+#include <gonio/shader/formulas.hpp>
+// After the recording scalar.
+#include <gonio/shading/brdf_blinn.hpp>
+#include <gonio/shading/brdf_eon.hpp>
+#include <gonio/shading/brdf_frostbite.hpp>
+#include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/brdf_gltf.hpp>
+#include <gonio/shading/brdf_lambert.hpp>
+#include <gonio/shading/brdf_ue4.hpp>
+#include <gonio/shading/falloff.hpp>
+#include <gonio/shading/irradiance_area.hpp>
+#include <gonio/shading/irradiance_named.hpp>
+#include <gonio/shading/irradiance_sphere_named.hpp>
+#include <gonio/shading/occlusion.hpp>
+#include <gonio/shading/shade.hpp>
+
+#include <array>
+#include <numbers>
+#include <string>
+#include <type_traits>
+
+namespace gonio::shader {
+
+namespace {
+
+using S = Recorded;
+namespace core = shading;
+
+// Lights, as their functions take them.
+
+Vector center_of(Function& f) {
+    return f.vector("to_center", "[m] from the receiver to the light's centre");
+}
+Vector normal_of(Function& f) {
+    return f.unit("normal", "unit, the receiver's");
+}
+Vector emission_axis_of(Function& f) {
+    return f.unit("axis", "unit, the direction in which the light emits");
+}
+
+// The core's lights emit 1 nt and have no window.
+Vector ones() {
+    return {S(1), S(1), S(1)};
+}
+
+struct Sphere {
+    Vector to_center;
+    S radius;
+    Vector normal;
+    explicit Sphere(Function& f) : to_center(center_of(f)), radius(f.size("radius", "[m]")), normal(normal_of(f)) {}
+    core::SphereLight<S> as_light() const { return {to_center, ones(), radius, S(0)}; }
+};
+struct Disk {
+    Vector to_center, axis;
+    S radius;
+    Vector normal;
+    explicit Disk(Function& f)
+        : to_center(center_of(f)), axis(emission_axis_of(f)), radius(f.size("radius", "[m]")), normal(normal_of(f)) {}
+    core::DiskLight<S> as_light() const { return {to_center, ones(), axis, radius, S(0), false}; }
+};
+struct Rectangle {
+    Vector to_center, axis, width_direction;
+    S width, height;
+    Vector normal;
+    explicit Rectangle(Function& f)
+        : to_center(center_of(f)),
+          axis(emission_axis_of(f)),
+          width_direction(f.unit("width_direction", "unit, across the axis")),
+          width(f.size("width", "[m]")),
+          height(f.size("height", "[m] across the width")),
+          normal(normal_of(f)) {}
+    core::RectangleLight<S> as_light() const {
+        return {to_center, ones(), axis, width_direction, width, height, S(0), false};
+    }
+};
+struct Tube {
+    Vector to_center, axis;
+    S radius, length;
+    Vector normal;
+    explicit Tube(Function& f)
+        : to_center(center_of(f)),
+          axis(f.unit("axis", "unit, along the tube")),
+          radius(f.size("radius", "[m]")),
+          length(f.size("tube_length", "[m] without the hemispheres at its ends")),
+          normal(normal_of(f)) {}
+    core::TubeLight<S> as_light() const { return {to_center, ones(), axis, radius, length, S(0)}; }
+};
+
+void name_direction(Function& f, const core::Direction<S>& d) {
+    f.label("inverse_distance", d.inverse_distance);
+    f.label("n_dot_l", d.n_dot_l);
+}
+
+// Names of intermediate results, for readers: computed again here, they are the same nodes. A name that the function
+// does not need is not printed.
+
+void label_rectangle(Function& f, core::detail::RectanglePose<S> p) {
+    f.label("x", p.x, "From the receiver to the centre.");
+    f.label("y", p.y);
+    f.label("z", p.z);
+    f.label("half_x", p.half_x,
+            "The rectangle in its own axes: x along its width, y along its height, z to the receiver's side.");
+    f.label("half_y", p.half_y);
+    f.label("n_x", p.n_x);
+    f.label("n_y", p.n_y);
+    f.label("up", p.up, "Heights over the horizon: of the centre, and by which the corners differ from it.");
+    f.label("rise_x", p.rise_x);
+    f.label("rise_y", p.rise_y);
+    // The edges' lines, as they are and mirrored so that n_x, n_y ≥ 0.
+    const auto cut = p.up < simd::abs(p.rise_x) + simd::abs(p.rise_y);
+    f.label("cut", cut);
+    for (const bool mirrored : {false, true}) {
+        if (mirrored) {
+            p.z = simd::max(p.z, S(core::detail::least_rectangle_height<S>));
+            core::detail::mirror(p);
+            f.label("mirrored_x", p.x,
+                    "Mirrored so that the normal points to +x and +y: corners go below the horizon in a fixed order.");
+            f.label("mirrored_y", p.y);
+            f.label("height_over", p.z);
+        }
+        const S x0 = p.x - p.half_x;
+        const S x1 = p.x + p.half_x;
+        const S y0 = p.y - p.half_y;
+        const S y1 = p.y + p.half_y;
+        const S z2 = p.z * p.z;
+        const std::string_view prefix = mirrored ? "mirrored_" : "";
+        const auto label = [&](std::string_view name, S value) {
+            f.label(std::string(prefix) + std::string(name), value);
+        };
+        label("x0", x0);
+        label("x1", x1);
+        label("y0", y0);
+        label("y1", y1);
+        label("to_x0", simd::mul_add(x0, x0, z2));
+        label("to_x1", simd::mul_add(x1, x1, z2));
+        label("to_y0", simd::mul_add(y0, y0, z2));
+        label("to_y1", simd::mul_add(y1, y1, z2));
+    }
+    const auto c = core::detail::rectangle_cut(p);
+    f.label("a_x", c.a_x);
+    f.label("a_y", c.a_y);
+    f.label("b_x", c.b_x);
+    f.label("b_y", c.b_y);
+    f.label("before3", c.before3, "Where the horizon cuts the outline: at A and B, both from the centre.");
+    f.label("before1", c.before1);
+}
+
+void label_disk(Function& f, core::detail::DiskPose<S> d) {
+    f.label("x", d.x, "The disk in its own axes: the receiver is z in front of it and x aside.");
+    f.label("inverse_x", d.inverse_x);
+    f.label("n_u", d.n_u);
+    f.label("n_v", d.n_v);
+    f.label("n_across", d.n_across);
+    f.label("gap", d.gap);
+    f.label("beyond2", d.beyond2);
+    f.label("k", simd::mul_add(d.z, d.n_w, d.x * d.n_u),
+            "k is the height of the centre over the horizon, m the reach of the rim.");
+    f.label("m", d.r * d.n_across);
+    d.z = simd::max(d.z, S(core::detail::least_disk_height<S>));
+    f.label("z", d.z);
+    const S z2 = d.z * d.z;
+    f.label("z2", z2);
+    const S near2 = simd::mul_add(d.gap, d.gap, z2);
+    const S far = d.x + d.r;
+    const S far2 = simd::mul_add(far, far, z2);
+    const S rim = simd::sqrt(near2) * simd::sqrt(far2);
+    f.label("near2", near2, "The rim's nearest and farthest point.");
+    f.label("far2", far2);
+    f.label("rim", rim);
+    f.label("e", S(2) * d.x * d.r);
+}
+
+void label_end(Function& f, const core::detail::EndCircle<S>& end, std::string_view suffix, std::string_view note) {
+    const auto label = [&](std::string_view name, auto value, std::string_view text = {}) {
+        f.label(std::string(name) + std::string(suffix), value, text);
+    };
+    label("tangent", end.tangent, note);
+    label("inverse_distance", end.inverse_distance);
+    label("cos_h", end.cos_h);
+    label("sin_h", end.sin_h);
+    label("cos_reach", end.cos_reach);
+    label("cos_sink", end.cos_sink);
+    label("sin_sink", end.sin_sink);
+    label("cos_rise", end.cos_rise);
+    label("sin_rise", end.sin_rise);
+    label("across", end.across);
+}
+
+void label_tube(Function& f, core::detail::TubePose<S> t) {
+    f.label("half_length", t.half);
+    f.label("z", t.z, "The tube in its own axes: a along it, f to it, g across; end 1 is the higher one.");
+    f.label("z0", t.z0);
+    f.label("z1", t.z1);
+    f.label("d", t.d);
+    f.label("inverse_d", t.inverse_d);
+    f.label("n_a", t.n_a);
+    f.label("n_f", t.n_f);
+    f.label("n_g", t.n_g);
+    f.label("up", t.up);
+    t.gap2 = simd::max(t.gap2, S(core::detail::least_tube_gap2<S>) * t.d * t.d);
+    const S gap = simd::sqrt(t.gap2);
+    const S s = t.r * t.inverse_d;
+    const S kappa = gap * t.inverse_d;
+    const S up_by = t.half * t.n_a;
+    f.label("gap", gap);
+    f.label("s", s);
+    f.label("kappa", kappa);
+    f.label("up0", t.up - up_by);
+    f.label("up1", t.up + up_by);
+    const S level = t.up - s * t.r * t.n_f;
+    const S out = t.r * kappa * t.n_g;
+    const S level_plus = level + out;
+    const S level_minus = level - out;
+    f.label("level_plus", level_plus, "Heights of the lines where the receiver's planes touch the tube.");
+    f.label("level_minus", level_minus);
+    f.label("above0_plus", level_plus - up_by >= S(0));
+    f.label("above0_minus", level_minus - up_by >= S(0));
+    f.label("above1_plus", level_plus + up_by >= S(0));
+    f.label("above1_minus", level_minus + up_by >= S(0));
+    label_end(f, core::detail::end_circle(t, gap, t.z0, t.tangent0, t.up - up_by, S(-1)), "0",
+              "The circle of end 0, and where the horizon cuts it.");
+    label_end(f, core::detail::end_circle(t, gap, t.z1, t.tangent1, t.up + up_by, S(1)), "1", "The circle of end 1.");
+}
+
+// The exact form of each light: simple cases first, then all of it.
+
+void sphere_stages(Function& f, const Sphere& light) {
+    const core::Direction<S> d = core::direction(light.to_center, light.normal);
+    name_direction(f, d);
+    const core::SphereAbove<S> uncut(d, light.radius);
+    f.label("s", uncut.s);
+    f.label("above", uncut.irradiance);
+    f.label("straddling", uncut.straddling);
+    const Vector p = light.to_center;
+    const S gap = simd::difference_of_squares(p.x, p.y, p.z, light.radius);
+    const S kappa = simd::sqrt(simd::max(gap, S(0))) * d.inverse_distance;
+    f.label("gap", gap, "The horizon cuts it, or the receiver is inside or on it.");
+    f.label("kappa", kappa);
+    f.label("w", simd::sqrt(simd::max((uncut.s - d.n_dot_l) * (uncut.s + d.n_dot_l), S(0))));
+    f.early(!uncut.is_cut, uncut.irradiance, "All of it, or nothing, is above the horizon.");
+    f.returns(core::irradiance_sphere(d, light.radius));
+}
+
+void disk_stages(Function& f, const Disk& light) {
+    const auto above = core::detail::survey_disk_above(light.to_center, light.axis, light.radius, light.normal, false);
+    f.early(!above.hard, above.irradiance, "All of it is above the horizon.");
+    label_disk(f, core::detail::disk_pose(light.to_center, light.axis, light.radius, light.normal, false));
+    f.returns(core::detail::survey_disk(light.to_center, light.axis, light.radius, light.normal, false).irradiance);
+}
+
+void rectangle_stages(Function& f, const Rectangle& light) {
+    label_rectangle(f, core::detail::rectangle_pose<S>(light.to_center, light.axis, light.width_direction, light.width,
+                                                       light.height, light.normal, false));
+    const auto above = core::detail::survey_rectangle_above(light.to_center, light.axis, light.width_direction,
+                                                            light.width, light.height, light.normal, false);
+    f.early(!above.hard, above.irradiance, "All of it is above the horizon.");
+    f.returns(core::detail::survey_rectangle(light.to_center, light.axis, light.width_direction, light.width,
+                                             light.height, light.normal, false)
+                  .irradiance);
+}
+
+void tube_stages(Function& f, const Tube& light) {
+    const auto above =
+        core::detail::survey_tube_above(light.to_center, light.axis, light.radius, light.length, light.normal);
+    f.early(!above.hard, above.irradiance, "All of it is above the horizon.");
+    label_tube(f, core::detail::tube_pose(light.to_center, light.axis, light.radius, light.length, light.normal));
+    const auto tube = core::detail::survey_tube(light.to_center, light.axis, light.radius, light.length, light.normal);
+    f.early(
+        tube.end,
+        core::detail::survey_tube_end(light.to_center, light.axis, light.radius, light.length, light.normal).irradiance,
+        "From beyond an end, only the sphere of the nearer end is seen.");
+    f.returns(tube.irradiance);
+}
+
+void sun_exact(Function& f) {
+    core::SunLight<S> light{};
+    light.toward = f.unit("toward", "unit, from the receiver to the sun's centre");
+    light.sine = f.size("sin_radius", "sine of the sun's angular radius, 0.0047 for the sun of the sky");
+    light.cosine = f.size("cos_radius", "cosine of it");
+    f.returns(core::detail::irradiance(light, light.toward, normal_of(f)));
+}
+
+// Point and spot: illuminance per candela.
+
+struct Punctual {
+    Vector to_light, normal;
+    explicit Punctual(Function& f)
+        : to_light(f.vector("to_light", "[m] from the receiver to the light")), normal(normal_of(f)) {}
+
+    S illuminance(Function& f) const {
+        const core::Direction<S> d = core::direction(to_light, normal);
+        name_direction(f, d);
+        const S inverse = d.scale * d.inverse_distance;
+        return simd::max(d.n_dot_l, S(0)) * inverse * inverse;
+    }
+};
+
+S inverse_range_of(Function& f) {
+    return f.size("inverse_range", "[1/m] of the range; 0 for none");
+}
+
+void point_inverse_square(Function& f) {
+    const Punctual light(f);
+    f.returns(light.illuminance(f));
+}
+void point_window_squared(Function& f) {
+    const Punctual light(f);
+    const S inverse_range = inverse_range_of(f);
+    f.returns(light.illuminance(f) * core::window_squared(length(light.to_light), inverse_range));
+}
+void point_window_gltf(Function& f) {
+    const Punctual light(f);
+    const S inverse_range = inverse_range_of(f);
+    f.returns(light.illuminance(f) * core::window_gltf(length(light.to_light), inverse_range));
+}
+
+struct Spot : Punctual {
+    Vector aim;
+    S inner, outer;
+    explicit Spot(Function& f)
+        : Punctual(f),
+          aim(f.unit("aim", "unit, from the light along its beam")),
+          inner(f.size("inner", "[rad] half angle of full intensity, in [0, outer]")),
+          outer(f.size("outer", "[rad] half angle of the beam's edge, in [0, pi]")) {}
+
+    S theta(Function& f) const {
+        const S angle = core::angle_from_aim(aim, to_light * S(-1));
+        f.label("theta", angle);
+        return angle;
+    }
+};
+
+template<S (*lobe)(S, S, S)>
+void spot(Function& f) {
+    const Spot light(f);
+    const S theta = light.theta(f);
+    f.returns(light.illuminance(f) * lobe(theta, light.inner, light.outer));
+}
+
+// Materials: f [1/sr] for light from l, seen from v.
+
+struct Ways {
+    Vector n, l, v;
+};
+
+Vector color_of(Function& f, std::string_view name, std::string_view meaning = "[0, 1]") {
+    return f.vector(name, meaning);
+}
+S share_of(Function& f, std::string_view name, std::string_view meaning = "[0, 1]") {
+    return f.size(name, meaning);
+}
+
+core::Lambert<S> lambert(Function& f) {
+    return {color_of(f, "albedo")};
+}
+core::Eon<S> eon(Function& f) {
+    const Vector albedo = color_of(f, "albedo");
+    return {albedo, share_of(f, "roughness")};
+}
+core::Frostbite<S> frostbite(Function& f) {
+    const Vector base = color_of(f, "base_color");
+    const S smoothness = share_of(f, "smoothness");
+    const S metallic = share_of(f, "metallic");
+    return core::frostbite_material(base, smoothness, metallic,
+                                    share_of(f, "reflectance", "[0, 1]; 0.5 is a reflectance of 0.04"));
+}
+core::Ue4<S> ue4(Function& f) {
+    const Vector base = color_of(f, "base_color");
+    const S metallic = share_of(f, "metallic");
+    const S roughness = share_of(f, "roughness");
+    const S specular = share_of(f, "specular", "[0, 1]; 0.5 is a reflectance of 0.04");
+    return core::ue4_material(base, metallic, roughness, specular, share_of(f, "cavity", "[0, 1]; 1 for none"));
+}
+core::Gltf<S> gltf(Function& f) {
+    const Vector base = color_of(f, "base_color");
+    const S metallic = share_of(f, "metallic");
+    return core::gltf_material(base, metallic, share_of(f, "roughness"));
+}
+core::Blinn<S> blinn(Function& f) {
+    const Vector albedo = color_of(f, "albedo");
+    const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
+    const S smoothness = share_of(f, "smoothness");
+    return core::blinn_material(albedo, f0, smoothness, share_of(f, "wetness"));
+}
+core::Ggx<S> ggx(Function& f) {
+    const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
+    return {f0, share_of(f, "alpha", "[0, 1], the square of a roughness")};
+}
+
+template<class Material>
+Vector brdf_of(Function& f, const Material& material, const Ways& ways) {
+    const S n_dot_l = dot(ways.n, ways.l);
+    const S n_dot_v = dot(ways.n, ways.v);
+    const Vector h = core::normalized(ways.l + ways.v);
+    f.label("n_dot_l", n_dot_l);
+    f.label("n_dot_v", n_dot_v);
+    f.label("h", h);
+    f.label("n_dot_h", dot(ways.n, h));
+    f.label("l_dot_h", dot(ways.l, h));
+    f.label("lit", simd::both(core::above_surface(n_dot_l), core::above_surface(n_dot_v)));
+    return core::brdf(material, ways.n, ways.l, ways.v);
+}
+
+template<auto material>
+void brdf(Function& f) {
+    const Vector n = f.unit("n", "unit, the surface's normal");
+    const Vector l = f.unit("l", "unit, to the light");
+    const Vector v = f.unit("v", "unit, to the eye");
+    const auto of = material(f);
+    f.returns(brdf_of(f, of, {n, l, v}));
+}
+
+// Luminance per candela of a point light or a spot.
+template<class Light, auto material>
+void shade_punctual(Function& f) {
+    const Light light(f);
+    const Vector view = f.unit("view", "unit, from the surface to the eye");
+    const auto of = material(f);
+    const core::Direction<S> d = core::direction(light.to_light, light.normal);
+    const Vector l = d.scaled * d.inverse_distance;
+    f.label("l", l);
+    const Vector result = brdf_of(f, of, {light.normal, l, view}) * light.illuminance(f);
+    if constexpr (std::is_same_v<Light, Spot>)
+        f.returns(result * core::lobe_frostbite(light.theta(f), light.inner, light.outer));
+    else
+        f.returns(result);
+}
+
+// Changes what is returned in every stage.
+template<class Change>
+void change_results(Function& f, const Change& change) {
+    for (Stage& stage : f.stages)
+        stage.value = change(S::of(stage.value)).node;
+}
+
+// Luminance of a matte surface per luminance of an area light.
+template<class Light, void (*stages)(Function&, const Light&)>
+void shade_lambert(Function& f) {
+    const Light light(f);
+    const Vector albedo = color_of(f, "albedo");
+    stages(f, light);
+    for (Stage& stage : f.stages)
+        stage.value = (albedo * (S::of(stage.value) * S(std::numbers::inv_pi))).node();
+    f.result = Type::vector;
+}
+
+// The same for a material with a highlight: the diffuse part by the exact irradiance, the highlight by a representative
+// point.
+template<class Light, void (*stages)(Function&, const Light&), auto material>
+void shade_area(Function& f) {
+    const Light light(f);
+    const Vector view = f.unit("view", "unit, from the surface to the eye");
+    const auto of = material(f);
+    const core::SurfacePoint<S> point{{S(0), S(0), S(0)}, light.normal, view};
+    const Vector highlight =
+        core::detail::glossy_part<core::SpecularMethod::representative_point>(point, light.as_light(), of);
+    const Vector diffuse = core::diffuse_part(of, light.normal, light.normal, view);
+    f.label("highlight", highlight);
+    f.label("diffuse", diffuse);
+    stages(f, light);
+    for (Stage& stage : f.stages)
+        stage.value = (diffuse * S::of(stage.value) + highlight).node();
+    f.result = Type::vector;
+    const NodeId last = f.stages.back().value;
+    if (f.stages.front().value == last) f.stages = {{no_node, last, {}}}; // there is no diffuse part
+}
+
+template<class Light, void (*stages)(Function&, const Light&)>
+void exact(Function& f) {
+    stages(f, Light(f));
+}
+
+// occlusion.hpp, for each stage.
+template<class Light, void (*stages)(Function&, const Light&)>
+void visibility(Function& f) {
+    stages(f, Light(f));
+    change_results(f, [](S e) { return simd::min(simd::max(S(1) - e * S(std::numbers::inv_pi), S(0)), S(1)); });
+}
+
+template<S (*method)(Vector, S, Vector)>
+void sphere_by(Function& f) {
+    const Sphere light(f);
+    f.returns(method(light.to_center, light.radius, light.normal));
+}
+template<S (*method)(Vector, Vector, S, Vector)>
+void disk_by(Function& f) {
+    const Disk light(f);
+    f.returns(method(light.to_center, light.axis, light.radius, light.normal));
+}
+template<S (*method)(Vector, Vector, Vector, S, S, Vector)>
+void rectangle_by(Function& f) {
+    const Rectangle light(f);
+    f.returns(method(light.to_center, light.axis, light.width_direction, light.width, light.height, light.normal));
+}
+template<S (*method)(Vector, Vector, S, S, Vector)>
+void tube_by(Function& f) {
+    const Tube light(f);
+    f.returns(method(light.to_center, light.axis, light.radius, light.length, light.normal));
+}
+
+// The rows of the table. Errors are what the test in tests/unit/shader prints, rounded up.
+
+constexpr std::string_view of_irradiance = "E/L + 0.1 * (angle [rad] that the light subtends)";
+
+constexpr Formula irradiance(std::string_view light, std::string_view method, std::string_view function,
+                             std::string_view title, std::string_view source, ShaderError error,
+                             void (*record)(Function&)) {
+    return {{"irradiance", light, method, {}, {}},
+            function,
+            title,
+            "E/L [sr]: irradiance [lx] per luminance of the light [cd/m2]",
+            source,
+            error,
+            of_irradiance,
+            error.near > error.apart ? "nearer to the light than a tenth of its size" : "",
+            record};
+}
+constexpr Formula punctual(std::string_view light, std::string_view method, std::string_view function,
+                           std::string_view title, std::string_view source, double error, void (*record)(Function&)) {
+    return {{"irradiance", light, method, {}, {}},
+            function,
+            title,
+            "E/I [1/m2]: illuminance [lx] per intensity of the light [cd]",
+            source,
+            {error, error},
+            "E/I + 0.1 / (square of the distance)",
+            {},
+            record};
+}
+// In poses for errors α is at least 0.01: the peak of a narrower lobe depends on the last digits of the directions.
+constexpr bool has_ggx(std::string_view material) {
+    return material != "lambert" && material != "eon" && material != "blinn";
+}
+
+constexpr Formula brdf_row(std::string_view material, std::string_view function, std::string_view title,
+                           std::string_view source, double error, void (*record)(Function&)) {
+    return {{"brdf", {}, {}, material, {}},
+            function,
+            title,
+            "f [1/sr] of red, green and blue, and 0 where n.l or n.v is not above 0",
+            source,
+            {error, error},
+            has_ggx(material) ? "f + 0.1/sr, where the alpha of GGX is at least 0.01" : "f + 0.1/sr",
+            {},
+            record};
+}
+constexpr Formula shade_point_row(std::string_view material, std::string_view function, std::string_view title,
+                                  std::string_view source, double error, void (*record)(Function&)) {
+    return {{"shade", "point", "inverse-square", material, {}},
+            function,
+            title,
+            "luminance [cd/m2] of red, green and blue per intensity of the light [cd]",
+            source,
+            {error, error},
+            "the result + 0.1 / (square of the distance)",
+            {},
+            record};
+}
+constexpr Formula shade_spot_row(std::string_view material, std::string_view function, std::string_view title,
+                                 std::string_view source, double error, void (*record)(Function&)) {
+    Formula formula = shade_point_row(material, function, title, source, error, record);
+    formula.names.light = "spot";
+    formula.names.method = "frostbite";
+    return formula;
+}
+constexpr Formula highlight_row(std::string_view light, std::string_view material, std::string_view function,
+                                std::string_view title, ShaderError error, void (*record)(Function&)) {
+    return {{"shade", light, "representative-point", material, {}},
+            function,
+            title,
+            "luminance of red, green and blue per luminance of the light",
+            "exact irradiance; highlight by the representative point of Karis, Real Shading in Unreal Engine 4, 2013",
+            error,
+            "the result + 0.1 * (angle [rad] that the light subtends)",
+            light == "disk" || light == "rect" ? "nearer to the light than a tenth of its size, where the method jumps"
+                                               : "nearer to the light than a tenth of its size",
+            record};
+}
+constexpr Formula shade_area_row(std::string_view light, std::string_view function, std::string_view title,
+                                 std::string_view source, ShaderError error, void (*record)(Function&)) {
+    return {{"shade", light, "exact", "lambert", {}},
+            function,
+            title,
+            "luminance of red, green and blue per luminance of the light",
+            source,
+            error,
+            "the result + 0.1 * (angle [rad] that the light subtends)",
+            "nearer to the light than a tenth of its size",
+            record};
+}
+constexpr Formula visibility_row(std::string_view shadow_of, std::string_view function, std::string_view title,
+                                 std::string_view source, ShaderError error, void (*record)(Function&)) {
+    return {{"visibility", {}, "exact", {}, shadow_of},
+            function,
+            title,
+            "share of a uniform sky's irradiance that is left, in [0, 1]",
+            source,
+            error,
+            "the result + 0.1 * (angle [rad] that it subtends)",
+            "nearer to it than a tenth of its size",
+            record};
+}
+
+constexpr std::string_view snyder = "Snyder 1996; Lagarde and de Rousiers 2014; without their cotangents";
+constexpr std::string_view lambert_integral = "Lambert's contour integral (Photometria, 1760), clipped to the horizon";
+constexpr std::string_view frostbite_notes = "Lagarde and de Rousiers, Moving Frostbite to Physically Based Rendering, "
+                                             "2014; misprints corrected";
+constexpr std::string_view karis = "Karis, Real Shading in Unreal Engine 4, 2013";
+constexpr std::string_view inverse_square_law = "Inverse square law";
+constexpr std::string_view khronos = "Khronos, glTF 2.0 Specification, appendix B";
+constexpr std::string_view eon_paper = "Portsmouth, Kutz and Hill, EON, JCGT 14(1), 2025";
+constexpr std::string_view remember_me = "Lagarde and Harduin, The Art of Remember Me, 2013";
+constexpr std::string_view heitz = "Heitz, JCGT 3(2), 2014; Schlick 1994";
+
+constexpr std::array all{
+    irradiance("sphere", "exact", "sphere_irradiance", "Irradiance of a uniform sphere, exact, horizon included.",
+               snyder, {8e-7, 7e-6}, exact<Sphere, sphere_stages>),
+    irradiance("sphere", "frostbite", "sphere_irradiance_frostbite",
+               "Irradiance of a sphere as in Frostbite: the tilted sphere with clamped cosines.", frostbite_notes,
+               {2e-6, 2e-5}, sphere_by<core::irradiance_sphere_frostbite<S>>),
+    irradiance("sphere", "ue4", "sphere_irradiance_ue4",
+               "Irradiance of a sphere as in Unreal Engine 4: a point at its centre.", karis, {5e-6, 5e-6},
+               sphere_by<core::irradiance_sphere_ue4<S>>),
+    irradiance("sphere", "point", "sphere_irradiance_point",
+               "Irradiance of a sphere as if it were a point: exact above the horizon.", inverse_square_law,
+               {5e-6, 5e-6}, sphere_by<core::irradiance_sphere_point<S>>),
+    irradiance("disk", "exact", "disk_irradiance", "Irradiance of a uniform one-sided disk, exact, horizon included.",
+               lambert_integral, {2e-6, 9e-5}, exact<Disk, disk_stages>),
+    irradiance("disk", "frostbite", "disk_irradiance_frostbite",
+               "Irradiance of a disk as in Frostbite: the cap of a facing disk times a cosine.", frostbite_notes,
+               {2e-6, 3e-6}, disk_by<core::irradiance_disk_frostbite<S>>),
+    irradiance("disk", "point", "disk_irradiance_point", "Irradiance of a disk as if it were a point at its centre.",
+               inverse_square_law, {2e-6, 7e-6}, disk_by<core::irradiance_disk_point<S>>),
+    irradiance("rect", "exact", "rect_irradiance",
+               "Irradiance of a uniform one-sided rectangle, exact, horizon included.", lambert_integral, {4e-6, 3e-5},
+               exact<Rectangle, rectangle_stages>),
+    irradiance("rect", "frostbite", "rect_irradiance_frostbite",
+               "Irradiance of a rectangle as in Frostbite: solid angle times the mean cosine of five points.",
+               frostbite_notes, {1e-5, 4e-4}, rectangle_by<core::irradiance_rectangle_frostbite<S>>),
+    irradiance("rect", "point", "rect_irradiance_point",
+               "Irradiance of a rectangle as if it were a point at its centre.", inverse_square_law, {6e-7, 1e-5},
+               rectangle_by<core::irradiance_rectangle_point<S>>),
+    irradiance("tube", "exact", "tube_irradiance",
+               "Irradiance of a uniform tube with hemispherical ends, exact, horizon included.", lambert_integral,
+               {4e-6, 2e-5}, exact<Tube, tube_stages>),
+    irradiance("tube", "frostbite", "tube_irradiance_frostbite",
+               "Irradiance of a tube as in Frostbite: a facing rectangle and the nearest sphere.", frostbite_notes,
+               {3e-5, 9e-4}, tube_by<core::irradiance_tube_frostbite<S>>),
+    irradiance("tube", "ue4", "tube_irradiance_ue4",
+               "Irradiance of a tube as in Unreal Engine 4: an isotropic line with the tube's flux.", karis,
+               {3e-6, 2e-2}, tube_by<core::irradiance_tube_ue4<S>>),
+    irradiance("tube", "point", "tube_irradiance_point", "Irradiance of a tube as if it were a point at its centre.",
+               inverse_square_law, {6e-7, 1e-5}, tube_by<core::irradiance_tube_point<S>>),
+    irradiance("sun", "exact", "sun_irradiance", "Irradiance of a uniform cone of directions, exact, horizon included.",
+               snyder, {7e-7, 7e-7}, sun_exact),
+    punctual("point", "inverse-square", "point_illuminance", "Illuminance by a point light.", inverse_square_law, 6e-7,
+             point_inverse_square),
+    punctual("point", "window-squared", "point_illuminance_window_squared",
+             "Illuminance by a point light that fades to 0 at its range, as in Frostbite and Unreal Engine 4.", karis,
+             1e-6, point_window_squared),
+    punctual("point", "window-gltf", "point_illuminance_window_gltf",
+             "Illuminance by a point light that fades to 0 at its range, as in KHR_lights_punctual.",
+             "Khronos, KHR_lights_punctual", 3e-6, point_window_gltf),
+    punctual("spot", "frostbite", "spot_illuminance_frostbite",
+             "Illuminance by a spot that fades with the squared cosine, as in Frostbite, glTF and Filament.",
+             frostbite_notes, 2e-5, spot<core::lobe_frostbite<S>>),
+    punctual("spot", "hard", "spot_illuminance_hard", "Illuminance by a spot with a hard edge.", inverse_square_law,
+             5e-7, spot<core::lobe_hard<S>>),
+    punctual("spot", "linear-cos", "spot_illuminance_linear_cos",
+             "Illuminance by a spot that fades linearly in the cosine.", inverse_square_law, 1e-5,
+             spot<core::lobe_linear_cos<S>>),
+    punctual("spot", "smoothstep-cos", "spot_illuminance_smoothstep_cos",
+             "Illuminance by a spot that fades by a smooth step in the cosine, as in pbrt and Cycles.",
+             inverse_square_law, 2e-5, spot<core::lobe_smoothstep_cos<S>>),
+    punctual("spot", "linear-angle", "spot_illuminance_linear_angle",
+             "Illuminance by a spot that fades linearly in the angle, as in Mitsuba.", inverse_square_law, 1e-5,
+             spot<core::lobe_linear_angle<S>>),
+    punctual("spot", "smoothstep-angle", "spot_illuminance_smoothstep_angle",
+             "Illuminance by a spot that fades by a smooth step in the angle, as in UsdLux.", inverse_square_law, 2e-5,
+             spot<core::lobe_smoothstep_angle<S>>),
+    brdf_row("lambert", "lambert_brdf", "Lambert: the same luminance in every direction.", "Lambert 1760", 9e-8,
+             brdf<lambert>),
+    brdf_row("eon", "eon_brdf", "EON: Oren-Nayar that keeps its energy.", eon_paper, 3e-5, brdf<eon>),
+    brdf_row("frostbite", "frostbite_brdf", "The material of Frostbite: renormalised Disney diffuse and GGX.",
+             frostbite_notes, 1e-5, brdf<frostbite>),
+    brdf_row("ue4", "ue4_brdf", "The material of Unreal Engine 4: Lambert and GGX.", karis, 2e-5, brdf<ue4>),
+    brdf_row("gltf", "gltf_brdf", "The metallic-roughness material of glTF 2.0.", khronos, 1e-5, brdf<gltf>),
+    brdf_row("blinn", "blinn_brdf", "The material of Remember Me: Lambert, a cosine power, and water.", remember_me,
+             2e-5, brdf<blinn>),
+    brdf_row("ggx", "ggx_brdf", "GGX alone, single scattering, with height-correlated shadowing.", heitz, 2e-5,
+             brdf<ggx>),
+    shade_point_row("lambert", "point_shade_lambert", "A Lambert surface under a point light.", "Lambert 1760", 5e-7,
+                    shade_punctual<Punctual, lambert>),
+    shade_point_row("eon", "point_shade_eon", "An EON surface under a point light.", eon_paper, 7e-6,
+                    shade_punctual<Punctual, eon>),
+    shade_point_row("frostbite", "point_shade_frostbite", "Frostbite's material under a point light.", frostbite_notes,
+                    4e-6, shade_punctual<Punctual, frostbite>),
+    shade_point_row("ue4", "point_shade_ue4", "Unreal Engine 4's material under a point light.", karis, 4e-6,
+                    shade_punctual<Punctual, ue4>),
+    shade_point_row("gltf", "point_shade_gltf", "The material of glTF 2.0 under a point light.", khronos, 6e-6,
+                    shade_punctual<Punctual, gltf>),
+    shade_point_row("blinn", "point_shade_blinn", "The material of Remember Me under a point light.", remember_me, 3e-5,
+                    shade_punctual<Punctual, blinn>),
+    shade_point_row("ggx", "point_shade_ggx", "A GGX surface under a point light.", heitz, 4e-6,
+                    shade_punctual<Punctual, ggx>),
+    shade_spot_row("lambert", "spot_shade_lambert", "A Lambert surface under a spot that fades as in Frostbite.",
+                   "Lambert 1760", 5e-6, shade_punctual<Spot, lambert>),
+    shade_spot_row("eon", "spot_shade_eon", "An EON surface under a spot that fades as in Frostbite.", eon_paper, 4e-6,
+                   shade_punctual<Spot, eon>),
+    shade_spot_row("frostbite", "spot_shade_frostbite", "Frostbite's material under a spot that fades as in Frostbite.",
+                   frostbite_notes, 4e-6, shade_punctual<Spot, frostbite>),
+    shade_spot_row("ue4", "spot_shade_ue4", "Unreal Engine 4's material under a spot that fades as in Frostbite.",
+                   karis, 2e-5, shade_punctual<Spot, ue4>),
+    shade_spot_row("gltf", "spot_shade_gltf", "The material of glTF 2.0 under a spot that fades as in Frostbite.",
+                   khronos, 4e-6, shade_punctual<Spot, gltf>),
+    shade_spot_row("blinn", "spot_shade_blinn", "The material of Remember Me under a spot that fades as in Frostbite.",
+                   remember_me, 7e-6, shade_punctual<Spot, blinn>),
+    shade_spot_row("ggx", "spot_shade_ggx", "A GGX surface under a spot that fades as in Frostbite.", heitz, 5e-6,
+                   shade_punctual<Spot, ggx>),
+    shade_area_row("sphere", "sphere_shade_lambert", "A Lambert surface under a uniform sphere, exact.", snyder,
+                   {3e-7, 4e-6}, shade_lambert<Sphere, sphere_stages>),
+    shade_area_row("disk", "disk_shade_lambert", "A Lambert surface under a uniform one-sided disk, exact.",
+                   lambert_integral, {5e-7, 6e-6}, shade_lambert<Disk, disk_stages>),
+    shade_area_row("rect", "rect_shade_lambert", "A Lambert surface under a uniform one-sided rectangle, exact.",
+                   lambert_integral, {1e-6, 2e-5}, shade_lambert<Rectangle, rectangle_stages>),
+    shade_area_row("tube", "tube_shade_lambert", "A Lambert surface under a uniform tube, exact.", lambert_integral,
+                   {9e-7, 7e-6}, shade_lambert<Tube, tube_stages>),
+    highlight_row("sphere", "ue4", "sphere_shade_ue4", "Unreal Engine 4's material under a uniform sphere.",
+                  {2e-4, 2e-4}, shade_area<Sphere, sphere_stages, ue4>),
+    highlight_row("sphere", "blinn", "sphere_shade_blinn", "The material of Remember Me under a uniform sphere.",
+                  {2e-5, 2e-5}, shade_area<Sphere, sphere_stages, blinn>),
+    highlight_row("sphere", "ggx", "sphere_shade_ggx", "A GGX surface under a uniform sphere.", {2e-3, 2e-3},
+                  shade_area<Sphere, sphere_stages, ggx>),
+    highlight_row("disk", "ue4", "disk_shade_ue4", "Unreal Engine 4's material under a uniform one-sided disk.",
+                  {4e-5, 2e-2}, shade_area<Disk, disk_stages, ue4>),
+    highlight_row("disk", "blinn", "disk_shade_blinn", "The material of Remember Me under a uniform one-sided disk.",
+                  {2e-5, 5e-4}, shade_area<Disk, disk_stages, blinn>),
+    highlight_row("disk", "ggx", "disk_shade_ggx", "A GGX surface under a uniform one-sided disk.", {4e-5, 3e-2},
+                  shade_area<Disk, disk_stages, ggx>),
+    highlight_row("rect", "ue4", "rect_shade_ue4", "Unreal Engine 4's material under a uniform one-sided rectangle.",
+                  {3e-5, 2e-1}, shade_area<Rectangle, rectangle_stages, ue4>),
+    highlight_row("rect", "blinn", "rect_shade_blinn",
+                  "The material of Remember Me under a uniform one-sided rectangle.", {7e-7, 2e-3},
+                  shade_area<Rectangle, rectangle_stages, blinn>),
+    highlight_row("rect", "ggx", "rect_shade_ggx", "A GGX surface under a uniform one-sided rectangle.", {3e-5, 5e-1},
+                  shade_area<Rectangle, rectangle_stages, ggx>),
+    highlight_row("tube", "ue4", "tube_shade_ue4", "Unreal Engine 4's material under a uniform tube.", {2e-4, 5e-4},
+                  shade_area<Tube, tube_stages, ue4>),
+    highlight_row("tube", "blinn", "tube_shade_blinn", "The material of Remember Me under a uniform tube.",
+                  {3e-6, 2e-5}, shade_area<Tube, tube_stages, blinn>),
+    highlight_row("tube", "ggx", "tube_shade_ggx", "A GGX surface under a uniform tube.", {7e-5, 3e-4},
+                  shade_area<Tube, tube_stages, ggx>),
+    visibility_row("sphere", "sky_visibility_sphere", "What a sphere leaves of a uniform sky, exact.",
+                   "1 - E/(pi L) of a sphere that emits L", {6e-7, 6e-6}, visibility<Sphere, sphere_stages>),
+    visibility_row("capsule", "sky_visibility_capsule",
+                   "What a cylinder with hemispherical ends leaves of a uniform sky, exact.",
+                   "1 - E/(pi L) of a capsule that emits L", {5e-7, 5e-6}, visibility<Tube, tube_stages>),
+};
+
+} // namespace
+
+std::span<const Formula> formulas() {
+    return all;
+}
+
+Function recorded(const Formula& formula) {
+    Function function;
+    function.name = formula.function;
+    const Recording recording(function.graph);
+    formula.record(function);
+    return function;
+}
+
+} // namespace gonio::shader

@@ -1,0 +1,99 @@
+#include <gonio/shader/function.hpp>
+
+namespace gonio::shader {
+
+namespace {
+
+template<class Add>
+auto next_parameter(Function& function, std::string_view name, Type type, std::string_view meaning, const Add& add) {
+    const auto index = static_cast<std::uint8_t>(function.parameters.size());
+    function.parameters.push_back({name, type, meaning});
+    return add(index);
+}
+
+} // namespace
+
+Recorded Function::scalar(std::string_view parameter, std::string_view meaning) {
+    return next_parameter(*this, parameter, Type::scalar, meaning, [&](std::uint8_t index) {
+        return Recorded::of(graph.parameter(index, Type::scalar, false));
+    });
+}
+
+Recorded Function::size(std::string_view parameter, std::string_view meaning) {
+    return next_parameter(*this, parameter, Type::scalar, meaning,
+                          [&](std::uint8_t index) { return Recorded::of(graph.parameter(index, Type::scalar, true)); });
+}
+
+Vector Function::vector(std::string_view parameter, std::string_view meaning) {
+    return next_parameter(*this, parameter, Type::vector, meaning,
+                          [&](std::uint8_t index) { return Vector::of(graph.parameter(index, Type::vector, false)); });
+}
+
+Vector Function::unit(std::string_view parameter, std::string_view meaning) {
+    return next_parameter(*this, parameter, Type::vector, meaning,
+                          [&](std::uint8_t index) { return Vector::of(graph.parameter(index, Type::vector, true)); });
+}
+
+void Function::label_node(std::string_view as, NodeId node, std::string_view note) {
+    const Operation operation = graph[node].operation;
+    if (operation == Operation::parameter || operation == Operation::constant || operation == Operation::component ||
+        operation == Operation::truth)
+        return;
+    names.try_emplace(node, as);
+    if (!note.empty()) notes.try_emplace(node, note);
+}
+
+void Function::label(std::string_view as, Recorded value, std::string_view note) {
+    label_node(as, value.node, note);
+}
+void Function::label(std::string_view as, Vector value, std::string_view note) {
+    label_node(as, value.node(), note);
+}
+void Function::label(std::string_view as, RecordedMask value, std::string_view note) {
+    label_node(as, value.node, note);
+}
+
+void Function::early(RecordedMask condition, Recorded value, std::string_view comment) {
+    stages.push_back({condition.node, value.node, comment});
+}
+void Function::returns(Recorded value) {
+    result = Type::scalar;
+    stages.push_back({no_node, value.node, {}});
+}
+void Function::returns(Vector value) {
+    result = Type::vector;
+    stages.push_back({no_node, value.node(), {}});
+}
+
+void Function::join_stages() {
+    NodeId value = stages.back().value;
+    for (std::size_t i = stages.size() - 1; i > 0; --i)
+        value = graph.select(stages[i - 1].condition, stages[i - 1].value, value);
+    stages = {{no_node, value, {}}};
+}
+
+std::vector<bool> live_nodes(const Function& function) {
+    std::vector<bool> live(function.graph.nodes().size(), false);
+    for (const Stage& stage : function.stages) {
+        if (stage.condition != no_node) live[stage.condition] = true;
+        live[stage.value] = true;
+    }
+    for (std::size_t id = live.size(); id-- > 0;) {
+        if (!live[id]) continue;
+        const Node& node = function.graph.nodes()[id];
+        for (std::size_t k = 0; k < node.argument_count(); ++k)
+            live[node.arguments[k]] = true;
+    }
+    return live;
+}
+
+std::size_t operation_count(const Function& function) {
+    const std::vector<bool> live = live_nodes(function);
+    std::size_t count = 0;
+    for (std::size_t id = 0; id < live.size(); ++id) {
+        if (live[id] && function.graph.nodes()[id].operation > Operation::pack) ++count;
+    }
+    return count;
+}
+
+} // namespace gonio::shader

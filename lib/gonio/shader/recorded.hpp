@@ -1,0 +1,75 @@
+// The recording scalar with its vectors, and the shading core's functions that become functions of the shader.
+//
+// Include it before the headers of shading/: their templates find what is declared here only if it comes first.
+#pragma once
+
+#include <gonio/shader/recorded_scalar.hpp>
+// After the vocabulary above.
+#include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
+
+namespace gonio::shading {
+
+// Vectors are recorded as such: a shader has `dot` and `cross` instead of their products.
+template<>
+struct vec3<shader::Recorded> {
+    shader::Recorded x, y, z;
+
+    shader::NodeId node() const { return shader::Recording::graph().pack(x.node, y.node, z.node); }
+    static vec3 of(shader::NodeId node) {
+        shader::Graph& graph = shader::Recording::graph();
+        return {shader::Recorded::of(graph.component(node, 0)), shader::Recorded::of(graph.component(node, 1)),
+                shader::Recorded::of(graph.component(node, 2))};
+    }
+    static vec3 binary(shader::Operation operation, shader::NodeId a, shader::NodeId b) {
+        return of(shader::Recording::graph().binary(operation, a, b));
+    }
+
+    friend vec3 operator+(vec3 a, vec3 b) { return binary(shader::Operation::add, a.node(), b.node()); }
+    friend vec3 operator-(vec3 a, vec3 b) { return binary(shader::Operation::subtract, a.node(), b.node()); }
+    friend vec3 operator*(vec3 a, vec3 b) { return binary(shader::Operation::multiply, a.node(), b.node()); }
+    friend vec3 operator*(vec3 a, shader::Recorded s) { return binary(shader::Operation::multiply, a.node(), s.node); }
+};
+
+using RecordedVector = vec3<shader::Recorded>;
+
+inline shader::Recorded dot(RecordedVector a, RecordedVector b) {
+    return shader::Recorded::of(shader::Recording::graph().binary(shader::Operation::dot, a.node(), b.node()));
+}
+inline RecordedVector cross(RecordedVector a, RecordedVector b) {
+    return RecordedVector::binary(shader::Operation::cross, a.node(), b.node());
+}
+inline RecordedVector fused_cross(RecordedVector a, RecordedVector b) {
+    return cross(a, b);
+}
+inline RecordedVector mul_add(RecordedVector a, shader::Recorded s, RecordedVector b) {
+    return a * s + b;
+}
+inline shader::Recorded length(RecordedVector a) {
+    return shader::Recorded::of(shader::Recording::graph().unary(shader::Operation::length, a.node()));
+}
+inline RecordedVector select(shader::RecordedMask condition, RecordedVector if_true, RecordedVector if_false) {
+    return RecordedVector::of(shader::Recording::graph().select(condition.node, if_true.node(), if_false.node()));
+}
+
+// The functions below are calls of helpers. helpers.cpp records their templates, once each.
+
+RecordedVector normalized(RecordedVector a);
+shader::Recorded schlick_weight(shader::Recorded x);
+shader::Recorded window_squared(shader::Recorded distance, shader::Recorded inverse_range);
+shader::Recorded horizon_arc(RecordedVector p, RecordedVector step, RecordedVector normal);
+
+namespace detail {
+
+shader::Recorded solid_angle(RecordedVector a, RecordedVector b, RecordedVector c);
+shader::Recorded frostbite_cap(shader::Recorded cosine, shader::Recorded square_sine);
+
+} // namespace detail
+
+} // namespace gonio::shading
+
+namespace gonio::shader {
+
+Recorded reciprocal_or_zero(Recorded x); // found by its argument
+
+} // namespace gonio::shader

@@ -1,0 +1,383 @@
+#include "cases.hpp"
+
+// The scalar is double here; the recording scalar has come first, as its header asks.
+#include <gonio/shading/brdf_blinn.hpp>
+#include <gonio/shading/brdf_eon.hpp>
+#include <gonio/shading/brdf_frostbite.hpp>
+#include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/brdf_gltf.hpp>
+#include <gonio/shading/brdf_lambert.hpp>
+#include <gonio/shading/brdf_ue4.hpp>
+#include <gonio/shading/falloff.hpp>
+#include <gonio/shading/irradiance_area.hpp>
+#include <gonio/shading/irradiance_named.hpp>
+#include <gonio/shading/occlusion.hpp>
+#include <gonio/shading/shade.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gonio::shader {
+
+namespace {
+
+using core_vector = shading::vec3<double>;
+constexpr double pi = std::numbers::pi;
+
+class Dice {
+public:
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+    }
+    double log_between(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+    bool one_in(unsigned n) { return engine_() % n == 0; }
+    core_vector direction() {
+        const double z = between(-1.0, 1.0);
+        const double phi = between(0.0, 2.0 * pi);
+        const double r = std::sqrt(1.0 - z * z);
+        return {r * std::cos(phi), r * std::sin(phi), z};
+    }
+    core_vector across(core_vector axis) { return shading::normalized(shading::cross(axis, direction())); }
+    core_vector color() { return {between(0.0, 1.0), between(0.0, 1.0), between(0.0, 1.0)}; }
+
+private:
+    std::mt19937_64 engine_{20260101};
+};
+
+// The inputs of one case: what is put in comes back as the float that the shader gets.
+struct Inputs {
+    std::vector<float> numbers;
+
+    double put(double x) {
+        numbers.push_back(static_cast<float>(x));
+        return static_cast<double>(numbers.back());
+    }
+    core_vector put(core_vector a) {
+        const double x = put(a.x);
+        const double y = put(a.y);
+        return {x, y, put(a.z)};
+    }
+    double at(std::size_t i) const { return static_cast<double>(numbers[i]); }
+    core_vector vector(std::size_t i) const { return {at(i), at(i + 1), at(i + 2)}; }
+};
+
+// A light of any shape: half extents along three axes of its own, rounded by a radius.
+struct Extent {
+    core_vector x, y;
+    double half_x, half_y, rounding;
+
+    double size() const { return std::hypot(half_x, half_y) + rounding; }
+};
+
+// The vector to the light's centre: near its surface in one case of three, anywhere else.
+core_vector place(Dice& dice, const Extent& extent) {
+    if (!dice.one_in(3)) return dice.direction() * dice.log_between(0.02 * extent.size(), 300.0 * extent.size());
+    core_vector on =
+        extent.x * (extent.half_x * dice.between(-1.0, 1.0)) + extent.y * (extent.half_y * dice.between(-1.0, 1.0));
+    if (dice.one_in(3)) on = on * (1.0 / std::max(1e-3, dice.between(0.0, 1.0))); // beside it
+    return on + dice.direction() * (extent.rounding + extent.size() * dice.log_between(1e-4, 0.1));
+}
+
+// Often so that the horizon cuts a light of this size.
+core_vector facing(Dice& dice, core_vector to_center, double size) {
+    const core_vector l = shading::normalized(to_center);
+    if (dice.one_in(2)) return dice.direction();
+    const double reach = 1.2 * std::min(1.0, size / std::max(shading::length(to_center), 1e-30));
+    return shading::normalized(dice.across(l) + l * dice.between(-reach, reach));
+}
+
+double subtended(double distance, double size) {
+    return distance > size ? 2.0 * std::asin(size / distance) : pi;
+}
+
+struct Expected {
+    double value;
+    double scale;
+    bool is_near;
+};
+
+// A flat light within a rectangle or a disk, or the axis of a tube: how far its surface is.
+double distance_from(const Extent& extent, core_vector to_center, bool is_round) {
+    double x = std::fabs(shading::dot(extent.x, to_center));
+    double y = std::fabs(shading::dot(extent.y, to_center));
+    const double z = std::fabs(shading::dot(shading::cross(extent.x, extent.y), to_center));
+    if (is_round) {
+        x = std::hypot(x, y);
+        y = 0.0;
+    }
+    return std::hypot(std::hypot(std::max(x - extent.half_x, 0.0), std::max(y - extent.half_y, 0.0)), z) -
+           extent.rounding;
+}
+
+Expected sphere_case(Dice& dice, Inputs& in, std::string_view method) {
+    const double r = dice.log_between(0.02, 2.0);
+    const Extent extent{{1, 0, 0}, {0, 1, 0}, 0.0, 0.0, r};
+    const core_vector c = in.put(place(dice, extent));
+    const double radius = in.put(r);
+    const core_vector n = in.put(facing(dice, c, radius));
+    const double d = shading::length(c);
+    const bool is_near = std::fabs(d - radius) < 0.1 * radius;
+    const auto value = [&] {
+        if (method == "frostbite") return shading::irradiance_sphere_frostbite(c, radius, n);
+        if (method == "ue4") return shading::irradiance_sphere_ue4(c, radius, n);
+        if (method == "point") return shading::irradiance_sphere_point(c, radius, n);
+        return shading::irradiance_sphere(c, radius, n);
+    };
+    return {value(), 0.1 * subtended(d, radius), is_near};
+}
+
+Expected disk_case(Dice& dice, Inputs& in, std::string_view method) {
+    const core_vector axis = dice.direction();
+    const core_vector across = dice.across(axis);
+    const double r = dice.log_between(0.02, 2.0);
+    const Extent extent{across, shading::cross(axis, across), r, r, 0.0};
+    const core_vector c = in.put(place(dice, extent));
+    const core_vector a = in.put(axis);
+    const double radius = in.put(r);
+    const core_vector n = in.put(facing(dice, c, radius));
+    const auto value = [&] {
+        if (method == "frostbite") return shading::irradiance_disk_frostbite(c, a, radius, n);
+        if (method == "point") return shading::irradiance_disk_point(c, a, radius, n);
+        return shading::irradiance_disk(c, a, radius, n);
+    };
+    return {value(), 0.1 * subtended(shading::length(c), radius), distance_from(extent, c, true) < 0.1 * r};
+}
+
+Expected rectangle_case(Dice& dice, Inputs& in, std::string_view method) {
+    const core_vector axis = dice.direction();
+    const core_vector across = dice.across(axis);
+    const double w = dice.log_between(0.05, 4.0);
+    const double h = dice.log_between(0.05, 4.0);
+    const Extent extent{across, shading::cross(axis, across), 0.5 * w, 0.5 * h, 0.0};
+    const core_vector c = in.put(place(dice, extent));
+    const core_vector a = in.put(axis);
+    const core_vector b = in.put(across);
+    const double width = in.put(w);
+    const double height = in.put(h);
+    const core_vector n = in.put(facing(dice, c, extent.size()));
+    const auto value = [&] {
+        if (method == "frostbite") return shading::irradiance_rectangle_frostbite(c, a, b, width, height, n);
+        if (method == "point") return shading::irradiance_rectangle_point(c, a, b, width, height, n);
+        return shading::irradiance_rectangle(c, a, b, width, height, n);
+    };
+    return {value(), 0.1 * subtended(shading::length(c), extent.size()),
+            distance_from(extent, c, false) < 0.1 * extent.size()};
+}
+
+Expected tube_case(Dice& dice, Inputs& in, std::string_view method) {
+    const core_vector axis = dice.direction();
+    const core_vector across = dice.across(axis);
+    const double r = dice.log_between(0.01, 0.5);
+    const double l = dice.log_between(0.05, 4.0);
+    const Extent extent{axis, across, 0.5 * l, 0.0, r};
+    const core_vector c = in.put(place(dice, extent));
+    const core_vector a = in.put(axis);
+    const double radius = in.put(r);
+    const double length = in.put(l);
+    const core_vector n = in.put(facing(dice, c, extent.size()));
+    const auto value = [&] {
+        if (method == "frostbite") return shading::irradiance_tube_frostbite(c, a, radius, length, n);
+        if (method == "ue4") return shading::irradiance_tube_ue4(c, a, radius, length, n);
+        if (method == "point") return shading::irradiance_tube_point(c, a, radius, length, n);
+        return shading::irradiance_tube(c, a, radius, length, n);
+    };
+    return {value(), 0.1 * subtended(shading::length(c), extent.size()),
+            distance_from(extent, c, false) < 0.1 * extent.size()};
+}
+
+Expected sun_case(Dice& dice, Inputs& in) {
+    const double angle = dice.log_between(1e-3, 1.5);
+    shading::SunLight<double> sun{};
+    sun.toward = in.put(dice.direction());
+    sun.sine = in.put(std::sin(angle));
+    sun.cosine = in.put(std::cos(angle));
+    const core_vector n = in.put(facing(dice, sun.toward, std::sin(angle)));
+    return {shading::detail::irradiance(sun, sun.toward, n), 0.2 * angle, false};
+}
+
+// E/I of a point light without a window.
+double inverse_square(core_vector to_light, core_vector n) {
+    const double d2 = shading::dot(to_light, to_light);
+    return std::max(shading::dot(n, to_light), 0.0) / (d2 * std::sqrt(d2));
+}
+
+Expected point_case(Dice& dice, Inputs& in, std::string_view method) {
+    const core_vector l = in.put(dice.direction() * dice.log_between(0.01, 100.0));
+    const core_vector n = in.put(dice.direction());
+    const double d = shading::length(l);
+    double window = 1.0;
+    if (method != "inverse-square") {
+        const double inverse_range = in.put(dice.one_in(4) ? 0.0 : dice.between(0.2, 1.5) / d);
+        window = method == "window-gltf" ? shading::window_gltf(d, inverse_range)
+                                         : shading::window_squared(d, inverse_range);
+    }
+    return {inverse_square(l, n) * window, 0.1 / (d * d), false};
+}
+
+Expected spot_case(Dice& dice, Inputs& in, std::string_view method) {
+    const core_vector l = in.put(dice.direction() * dice.log_between(0.01, 100.0));
+    const core_vector n = in.put(dice.direction());
+    const double from = dice.log_between(0.02, 1.5);
+    const double to = from + dice.log_between(0.02, 1.5);
+    const double turn = dice.between(0.0, 1.2 * to);
+    const core_vector away = shading::normalized(l * -1.0);
+    const core_vector aim = in.put(away * std::cos(turn) + dice.across(away) * std::sin(turn));
+    const double inner = in.put(from);
+    const double outer = in.put(to);
+    const double theta = shading::angle_from_aim(aim, l * -1.0);
+    const auto lobe = [&] {
+        if (method == "hard") return shading::lobe_hard(theta, inner, outer);
+        if (method == "frostbite") return shading::lobe_frostbite(theta, inner, outer);
+        if (method == "linear-cos") return shading::lobe_linear_cos(theta, inner, outer);
+        if (method == "smoothstep-cos") return shading::lobe_smoothstep_cos(theta, inner, outer);
+        if (method == "linear-angle") return shading::lobe_linear_angle(theta, inner, outer);
+        return shading::lobe_smoothstep_angle(theta, inner, outer);
+    };
+    return {inverse_square(l, n) * lobe(), 0.1 / shading::dot(l, l), false};
+}
+
+// A direction on the upper side of n, grazing in one case of four.
+core_vector above(Dice& dice, core_vector n) {
+    const double cosine = dice.one_in(4) ? dice.log_between(1e-3, 1.0) : dice.between(-0.1, 1.0);
+    return n * cosine + dice.across(n) * std::sqrt(1.0 - cosine * cosine);
+}
+
+// Roughness whose square is at least 0.01.
+double roughness(Dice& dice) {
+    return dice.between(0.1, 1.0);
+}
+
+// Calls `use` with a random material of that name.
+template<class Use>
+core_vector with_material(Dice& dice, Inputs& in, std::string_view material, const Use& use) {
+    const core_vector color = in.put(dice.color());
+    if (material == "lambert") return use(shading::Lambert<double>{color});
+    if (material == "eon") return use(shading::Eon<double>{color, in.put(dice.between(0.0, 1.0))});
+    if (material == "frostbite") {
+        const double smoothness = in.put(1.0 - roughness(dice));
+        const double metallic = in.put(dice.between(0.0, 1.0));
+        return use(shading::frostbite_material(color, smoothness, metallic, in.put(dice.between(0.0, 1.0))));
+    }
+    if (material == "ue4") {
+        const double metallic = in.put(dice.between(0.0, 1.0));
+        const double rough = in.put(roughness(dice));
+        const double specular = in.put(dice.between(0.0, 1.0));
+        return use(shading::ue4_material(color, metallic, rough, specular, in.put(dice.between(0.0, 1.0))));
+    }
+    if (material == "gltf") {
+        const double metallic = in.put(dice.between(0.0, 1.0));
+        return use(shading::gltf_material(color, metallic, in.put(roughness(dice))));
+    }
+    if (material == "blinn") {
+        const core_vector f0 = in.put(dice.color());
+        const double smoothness = in.put(dice.between(0.0, 1.0));
+        return use(shading::blinn_material(color, f0, smoothness, in.put(dice.between(0.0, 1.0))));
+    }
+    return use(shading::Ggx<double>{color, in.put(dice.between(0.01, 1.0))});
+}
+
+Expected area_case(Dice& dice, Inputs& in, std::string_view light, std::string_view method) {
+    if (light == "sphere") return sphere_case(dice, in, method);
+    if (light == "disk") return disk_case(dice, in, method);
+    if (light == "rect") return rectangle_case(dice, in, method);
+    if (light == "tube" || light == "capsule") return tube_case(dice, in, method);
+    if (light == "sun") return sun_case(dice, in);
+    if (light == "point") return point_case(dice, in, method);
+    return spot_case(dice, in, method);
+}
+
+// The luminance of a material under a light that begins the inputs, with the highlight by a representative point.
+template<class Material>
+core_vector shaded(const Inputs& in, std::string_view light, const shading::SurfacePoint<double>& point, core_vector c,
+                   const Material& material) {
+    constexpr auto method = shading::SpecularMethod::representative_point;
+    const core_vector one{1.0, 1.0, 1.0};
+    if constexpr (Material::lobe != shading::LobeKind::none) {
+        if (light == "sphere")
+            return shading::shade<method>(point, shading::SphereLight<double>{c, one, in.at(3), 0.0}, material);
+        if (light == "disk")
+            return shading::shade<method>(point, shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false},
+                                          material);
+        if (light == "rect")
+            return shading::shade<method>(
+                point,
+                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false},
+                material);
+        return shading::shade<method>(point, shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0},
+                                      material);
+    }
+    return {};
+}
+
+Case random_case(const Formula& formula, Dice& dice) {
+    const ShaderFormula& names = formula.names;
+    Inputs in;
+    core_vector value{};
+    double scale = 0.1;
+    bool is_near = false;
+    const auto take = [&](const Expected& expected) {
+        value = {expected.value, expected.value, expected.value};
+        scale = expected.scale;
+        is_near = expected.is_near;
+    };
+    if (names.what == "brdf") {
+        const core_vector n = in.put(dice.direction());
+        const core_vector l = in.put(above(dice, n));
+        const core_vector v = in.put(above(dice, n));
+        value = with_material(dice, in, names.material, [&](const auto& of) { return shading::brdf(of, n, l, v); });
+    } else if (names.what == "shade" && (names.light == "point" || names.light == "spot")) {
+        const bool is_spot = names.light == "spot";
+        const Expected lit = is_spot ? spot_case(dice, in, names.method) : point_case(dice, in, names.method);
+        const core_vector to_light = in.vector(0);
+        const core_vector n = in.vector(3);
+        const core_vector v = in.put(above(dice, n));
+        value = with_material(dice, in, names.material, [&](const auto& of) {
+            return shading::brdf(of, n, shading::normalized(to_light), v) * lit.value;
+        });
+        scale = lit.scale;
+    } else if (names.what == "shade") {
+        const Expected lit = area_case(dice, in, names.light, names.method);
+        const core_vector c = in.vector(0);
+        const core_vector n = in.vector(in.numbers.size() - 3);
+        scale = lit.scale;
+        is_near = lit.is_near;
+        if (names.material == "lambert") {
+            value = in.put(dice.color()) * (lit.value / pi);
+        } else {
+            const core_vector v = in.put(above(dice, n));
+            value = with_material(dice, in, names.material, [&](const auto& of) {
+                return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
+            });
+        }
+    } else if (names.what == "visibility") {
+        take(area_case(dice, in, names.shadow_of, names.method));
+        const double left = std::clamp(1.0 - value.x / pi, 0.0, 1.0);
+        value = {left, left, left};
+    } else {
+        take(area_case(dice, in, names.light, names.method));
+    }
+    return {std::move(in.numbers), {value.x, value.y, value.z}, scale, is_near};
+}
+
+} // namespace
+
+std::vector<Case> random_cases(const Formula& formula, std::size_t count) {
+    Dice dice;
+    std::vector<Case> cases;
+    for (std::size_t i = 0; i < count; ++i)
+        cases.push_back(random_case(formula, dice));
+    return cases;
+}
+
+double error_of(const Case& pose, const std::array<double, 3>& result, Type type) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < (type == Type::vector ? 3U : 1U); ++i) {
+        const double error = std::fabs(result[i] - pose.expected[i]) / (pose.expected[i] + pose.scale);
+        largest = error >= largest ? error : (error < largest ? largest : 1e30); // a NaN is an error too
+    }
+    return largest;
+}
+
+} // namespace gonio::shader

@@ -1,0 +1,176 @@
+#include <gonio/shader/evaluate.hpp>
+#include <gonio/shader/formulas.hpp>
+#include <gonio/shader/helpers.hpp>
+#include <gonio/shader/print.hpp>
+#include <gonio/shader/shader.hpp>
+
+#include "cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gonio::shader {
+namespace {
+
+constexpr std::array all_languages{ShaderLanguage::glsl_es300, ShaderLanguage::glsl450, ShaderLanguage::hlsl,
+                                   ShaderLanguage::msl, ShaderLanguage::wgsl};
+
+std::string text_of(const Formula& formula, ShaderLanguage language, ShaderBranches branches) {
+    const Formula* const only = &formula;
+    return printed({&only, 1}, language, branches);
+}
+
+std::size_t count_of(const std::string& text, std::string_view what) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size()))
+        ++count;
+    return count;
+}
+
+TEST(ShaderGraph, SharesEqualExpressions) {
+    Graph graph;
+    const NodeId x = graph.parameter(0, Type::scalar, false);
+    const NodeId y = graph.parameter(1, Type::scalar, false);
+    EXPECT_EQ(graph.binary(Operation::multiply, x, y), graph.binary(Operation::multiply, x, y));
+    EXPECT_NE(graph.binary(Operation::subtract, x, y), graph.binary(Operation::subtract, y, x));
+}
+
+TEST(ShaderGraph, FoldsConstantsAndSimplifiesExactIdentities) {
+    Graph graph;
+    const NodeId x = graph.parameter(0, Type::scalar, false);
+    const NodeId size = graph.parameter(1, Type::scalar, true);
+    const auto number = [&](double value) { return graph.constant(value); };
+    EXPECT_EQ(graph.binary(Operation::add, number(1), number(2)), number(3));
+    EXPECT_EQ(graph.binary(Operation::multiply, x, number(1)), x);
+    EXPECT_EQ(graph.binary(Operation::add, number(0), x), x);
+    EXPECT_EQ(graph.binary(Operation::subtract, x, x), number(0));
+    EXPECT_EQ(graph.unary(Operation::negate, graph.unary(Operation::negate, x)), x);
+    EXPECT_EQ(graph.binary(Operation::add, x, graph.unary(Operation::negate, size)),
+              graph.binary(Operation::subtract, x, size));
+    EXPECT_EQ(graph.unary(Operation::abs, size), size);
+    EXPECT_NE(graph.unary(Operation::abs, x), x);
+    // 3 (0.1 x) would round differently from 0.3 x; 2 (0.1 x) does not.
+    const NodeId tenth = graph.binary(Operation::multiply, number(0.1), x);
+    EXPECT_EQ(graph[graph.binary(Operation::multiply, number(3), tenth)].arguments[1], tenth);
+    EXPECT_EQ(graph.binary(Operation::multiply, number(2), tenth), graph.binary(Operation::multiply, number(0.2), x));
+    EXPECT_EQ(graph.select(graph.truth(false), x, size), size);
+}
+
+TEST(ShaderGraph, JoinsComponentsIntoVectors) {
+    Graph graph;
+    const NodeId a = graph.parameter(0, Type::vector, false);
+    const NodeId s = graph.parameter(1, Type::scalar, false);
+    std::array<NodeId, 3> scaled{};
+    for (std::uint8_t i = 0; i < 3; ++i)
+        scaled[i] = graph.binary(Operation::multiply, graph.component(a, i), s);
+    EXPECT_EQ(graph.pack(scaled[0], scaled[1], scaled[2]), graph.binary(Operation::multiply, a, s));
+    EXPECT_EQ(graph[graph.pack(scaled[1], scaled[0], scaled[2])].operation, Operation::pack);
+}
+
+TEST(ShaderFormulas, HaveNamesOfTheirOwn) {
+    std::set<std::string_view> functions;
+    for (std::size_t i = 0; i < shader_formula_count(); ++i) {
+        const ShaderFormulaInfo info = shader_formula(i);
+        EXPECT_TRUE(functions.insert(info.function).second) << info.function;
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(shader_formula(k).formula == info.formula) << info.function;
+    }
+}
+
+// What the comments of the functions state: as much as is measured, and not much more.
+class ShaderErrors : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ShaderErrors, AreAsStated) {
+    const Formula& formula = formulas()[GetParam()];
+    const Function function = recorded(formula);
+    const std::vector<Case> cases = random_cases(formula, 10000);
+    std::array<double, 2> worst{};
+    double worst_in_double = 0.0;
+    for (const Case& pose : cases) {
+        const std::array<float, 3> found = evaluate<float>(function, pose.inputs);
+        const double error = error_of(pose, {found[0], found[1], found[2]}, function.result);
+        worst[pose.is_near ? 1 : 0] = std::max(worst[pose.is_near ? 1 : 0], error);
+        const std::vector<double> inputs(pose.inputs.begin(), pose.inputs.end());
+        worst_in_double =
+            std::max(worst_in_double, error_of(pose, evaluate<double>(function, inputs), function.result));
+    }
+    EXPECT_LE(worst[0], formula.error.apart);
+    EXPECT_LE(worst[1], formula.error.near);
+    EXPECT_GE(std::max(worst[0], worst[1]), 0.2 * std::max(formula.error.apart, formula.error.near));
+    // In double the same graph is the core's formula, but for polynomials that are made for float.
+    EXPECT_LE(worst_in_double, 6e-6);
+    if (formula.names.method == "exact") {
+        EXPECT_LE(formula.error.apart, 1e-5) << "the error bound of the core in float";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShaderErrors, testing::Range<std::size_t>(0, formulas().size()),
+                         [](const auto& of) { return std::string(formulas()[of.param].function); });
+
+TEST(ShaderBranches, DoNotChangeTheResult) {
+    for (const Formula& formula : formulas()) {
+        const Function early = recorded(formula);
+        Function joined = recorded(formula);
+        {
+            const Recording recording(joined.graph);
+            joined.join_stages();
+        }
+        for (const Case& pose : random_cases(formula, 500)) {
+            const std::array<float, 3> a = evaluate<float>(early, pose.inputs);
+            const std::array<float, 3> b = evaluate<float>(joined, pose.inputs);
+            ASSERT_EQ(a, b) << formula.function;
+        }
+    }
+}
+
+TEST(ShaderText, IsTheSameEachTime) {
+    for (const Formula& formula : formulas())
+        for (const ShaderLanguage language : all_languages)
+            EXPECT_EQ(text_of(formula, language, ShaderBranches::real),
+                      text_of(formula, language, ShaderBranches::real));
+}
+
+TEST(ShaderText, HasNoCodeThatIsNotUsedAndNoLongLines) {
+    for (const Formula& formula : formulas()) {
+        for (const ShaderLanguage language : all_languages) {
+            const std::string text = text_of(formula, language, ShaderBranches::real);
+            for (const Helper helper : helpers_of(std::array{recorded(formula)}))
+                EXPECT_GE(count_of(text, std::string(info(helper).name) + "("), 2U) << info(helper).name;
+            std::size_t start = 0;
+            for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
+                EXPECT_LE(end - start, 110U) << text.substr(start, end - start);
+                const std::string line = text.substr(start, end - start);
+                start = end + 1;
+                // A variable is used after its declaration.
+                const std::size_t equals = line.find(" = ");
+                if (line.find("//") != std::string::npos || equals == std::string::npos) continue;
+                const std::size_t space = line.rfind(' ', equals - 1);
+                const std::string name = line.substr(space + 1, equals - space - 1);
+                EXPECT_NE(text.find(name, start), std::string::npos) << formula.function << ": " << line;
+            }
+        }
+    }
+}
+
+TEST(ShaderText, HasHelpersOfSeveralFormulasOnce) {
+    std::vector<std::size_t> all(shader_formula_count());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::string text = write_shader(all, ShaderLanguage::hlsl);
+    EXPECT_EQ(count_of(text, "float angle_above(float y, float x) {"), 1U);
+    EXPECT_EQ(count_of(text, "float sphere_irradiance(float3 to_center, float radius, float3 normal) {"), 1U);
+}
+
+TEST(ShaderText, ReturnsEarlyOrSelects) {
+    const Formula& sphere = formulas().front();
+    EXPECT_EQ(count_of(text_of(sphere, ShaderLanguage::glsl450, ShaderBranches::real), "    if ("), 1U);
+    EXPECT_EQ(count_of(text_of(sphere, ShaderLanguage::glsl450, ShaderBranches::select), "    if ("), 0U);
+}
+
+} // namespace
+} // namespace gonio::shader
