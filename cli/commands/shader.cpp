@@ -20,7 +20,7 @@ constexpr std::array formula_options{
            "shader-methods"},
     Option{"--material", "MATERIAL,…", "its BRDF; with --light, what it reflects of that light", "shader-materials"},
     Option{"--shadow-of", "SHAPE,…", "what a sphere or capsule leaves of a uniform sky"},
-    Option{"--what", "WHAT", "irradiance, brdf, shade, visibility (by the options above)"},
+    Option{"--what", "WHAT", "irradiance, brdf, sample, pdf, shade, visibility (by the options above)"},
 };
 constexpr std::array text_options{
     Option{"--lang", "LANG", "glsl-es300, glsl450, hlsl, msl, wgsl (glsl450)", "shader-langs"},

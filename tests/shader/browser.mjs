@@ -126,7 +126,7 @@ function worst(pose, out) {
   const found = [0, 0];
   pose.scale.forEach((scale, i) => {
     for (let k = 0; k < (pose.vector ? 3 : 1); ++k) {
-      const error = Math.abs(out[4 * i + k] - pose.expected[3 * i + k]) / (pose.expected[3 * i + k] + scale);
+      const error = Math.abs(out[4 * i + k] - pose.expected[3 * i + k]) / (Math.abs(pose.expected[3 * i + k]) + scale);
       found[pose.is_near[i]] = Number.isNaN(error) ? Infinity : Math.max(found[pose.is_near[i]], error);
     }
   });

@@ -41,6 +41,10 @@ std::string arguments_of(const Function& function, std::string_view vector, cons
     std::string text;
     std::size_t at = 0;
     for (const Parameter& parameter : function.parameters) {
+        if (!parameter.is_used) {
+            at += parameter.type == Type::vector ? 3 : 1;
+            continue;
+        }
         if (!text.empty()) text += ", ";
         if (parameter.type == Type::vector) {
             text += fmt::format("{}({}, {}, {})", vector, of(at), of(at + 1), of(at + 2));

@@ -410,6 +410,22 @@ void brdf(Function& f) {
     f.returns(brdf_of(f, of, {n, l, v}));
 }
 
+// A direction towards the light, and the density of such directions.
+template<auto material>
+void sample(Function& f) {
+    const Vector n = f.unit("n", "unit, the surface's normal");
+    const Vector v = f.unit("v", "unit, to the eye");
+    const Vector u = f.vector("u", "three random numbers, each in [0, 1)");
+    f.returns(core::sample_brdf(material(f), n, v, u).l);
+}
+template<auto material>
+void density(Function& f) {
+    const Vector n = f.unit("n", "unit, the surface's normal");
+    const Vector v = f.unit("v", "unit, to the eye");
+    const Vector l = f.unit("l", "unit, to the light");
+    f.returns(core::pdf_brdf(material(f), n, v, l));
+}
+
 // Luminance per candela of a point light or a spot.
 template<class Light, auto material>
 void shade_punctual(Function& f) {
@@ -544,6 +560,32 @@ constexpr Formula brdf_row(std::string_view material, std::string_view function,
             {},
             record};
 }
+constexpr Formula sample_row(std::string_view material, std::string_view function, std::string_view title,
+                             std::string_view source, double error, void (*record)(Function&)) {
+    return {{"sample", {}, {}, material, {}},
+            function,
+            title,
+            "a unit direction to the light; it may lie below the surface, where the BRDF is 0",
+            source,
+            {error, error},
+            has_ggx(material) ? "each component + 0.1, where the alpha of GGX is at least 0.01"
+                              : "each component + 0.1",
+            {},
+            record};
+}
+constexpr Formula density_row(std::string_view material, std::string_view function, std::string_view title,
+                              std::string_view source, double error, void (*record)(Function&)) {
+    return {{"pdf", {}, {}, material, {}},
+            function,
+            title,
+            "the density [1/sr] of that direction, and 0 where n.v is not above 0",
+            source,
+            {error, error},
+            has_ggx(material) ? "the density + 0.1/sr, where the alpha of GGX is at least 0.01"
+                              : "the density + 0.1/sr",
+            {},
+            record};
+}
 constexpr Formula shade_point_row(std::string_view material, std::string_view function, std::string_view title,
                                   std::string_view source, double error, void (*record)(Function&)) {
     return {{"shade", "point", "inverse-square", material, {}},
@@ -611,6 +653,9 @@ constexpr std::string_view khronos = "Khronos, glTF 2.0 Specification, appendix 
 constexpr std::string_view eon_paper = "Portsmouth, Kutz and Hill, EON, JCGT 14(1), 2025";
 constexpr std::string_view remember_me = "Lagarde and Harduin, The Art of Remember Me, 2013";
 constexpr std::string_view heitz = "Heitz, JCGT 3(2), 2014; Schlick 1994";
+
+constexpr std::string_view visible_normals =
+    "Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023";
 
 constexpr std::array all{
     irradiance("sphere", "exact", "sphere_irradiance", "Irradiance of a uniform sphere, exact, horizon included.",
@@ -689,6 +734,36 @@ constexpr std::array all{
              2e-5, brdf<blinn>),
     brdf_row("ggx", "ggx_brdf", "GGX alone, single scattering, with height-correlated shadowing.", heitz, 2e-5,
              brdf<ggx>),
+    sample_row("lambert", "lambert_sample", "A direction to the light for the BRDF of Lambert, by importance.",
+               "Cosine sampling", 5e-6, sample<lambert>),
+    density_row("lambert", "lambert_pdf", "The density of the directions of lambert_sample.", "Cosine sampling", 2e-7,
+                density<lambert>),
+    sample_row("eon", "eon_sample", "A direction to the light for the BRDF of EON, by importance.",
+               "A mixture of cosine and uniform sampling", 4e-6, sample<eon>),
+    density_row("eon", "eon_pdf", "The density of the directions of eon_sample.",
+                "A mixture of cosine and uniform sampling", 2e-7, density<eon>),
+    sample_row("frostbite", "frostbite_sample",
+               "A direction to the light for the BRDF of Frostbite's material, by importance.", visible_normals, 2e-4,
+               sample<frostbite>),
+    density_row("frostbite", "frostbite_pdf", "The density of the directions of frostbite_sample.", visible_normals,
+                2e-6, density<frostbite>),
+    sample_row("ue4", "ue4_sample",
+               "A direction to the light for the BRDF of Unreal Engine 4's material, by importance.", visible_normals,
+               4e-4, sample<ue4>),
+    density_row("ue4", "ue4_pdf", "The density of the directions of ue4_sample.", visible_normals, 2e-6, density<ue4>),
+    sample_row("gltf", "gltf_sample",
+               "A direction to the light for the BRDF of the material of glTF 2.0, by importance.", visible_normals,
+               2e-4, sample<gltf>),
+    density_row("gltf", "gltf_pdf", "The density of the directions of gltf_sample.", visible_normals, 2e-6,
+                density<gltf>),
+    sample_row("blinn", "blinn_sample",
+               "A direction to the light for the BRDF of the material of Remember Me, by importance.", visible_normals,
+               7e-5, sample<blinn>),
+    density_row("blinn", "blinn_pdf", "The density of the directions of blinn_sample.", visible_normals, 7e-6,
+                density<blinn>),
+    sample_row("ggx", "ggx_sample", "A direction to the light for the BRDF of GGX, by importance.", visible_normals,
+               4e-5, sample<ggx>),
+    density_row("ggx", "ggx_pdf", "The density of the directions of ggx_sample.", visible_normals, 2e-6, density<ggx>),
     shade_point_row("lambert", "point_shade_lambert", "A Lambert surface under a point light.", "Lambert 1760", 5e-7,
                     shade_punctual<Punctual, lambert>),
     shade_point_row("eon", "point_shade_eon", "An EON surface under a point light.", eon_paper, 7e-6,
@@ -768,6 +843,7 @@ Function recorded(const Formula& formula) {
     function.name = formula.function;
     const Recording recording(function.graph);
     formula.record(function);
+    function.mark_unused_parameters();
     return function;
 }
 

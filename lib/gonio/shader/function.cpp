@@ -7,7 +7,7 @@ namespace {
 template<class Add>
 auto next_parameter(Function& function, std::string_view name, Type type, std::string_view meaning, const Add& add) {
     const auto index = static_cast<std::uint8_t>(function.parameters.size());
-    function.parameters.push_back({name, type, meaning});
+    function.parameters.push_back({name, type, meaning, true});
     return add(index);
 }
 
@@ -70,6 +70,16 @@ void Function::join_stages() {
     for (std::size_t i = stages.size() - 1; i > 0; --i)
         value = graph.select(stages[i - 1].condition, stages[i - 1].value, value);
     stages = {{no_node, value, {}}};
+}
+
+void Function::mark_unused_parameters() {
+    const std::vector<bool> live = live_nodes(*this);
+    for (Parameter& parameter : parameters)
+        parameter.is_used = false;
+    for (std::size_t id = 0; id < live.size(); ++id) {
+        const Node& node = graph.nodes()[id];
+        if (live[id] && node.operation == Operation::parameter) parameters[node.index].is_used = true;
+    }
 }
 
 std::vector<bool> live_nodes(const Function& function) {

@@ -17,6 +17,7 @@ struct Parameter {
     std::string_view name;
     Type type;
     std::string_view meaning; // with its unit and domain
+    bool is_used = true;      // else it is not printed; inputs have it all the same
 };
 
 // Where `condition` holds, the result is `value`; the last stage has no condition.
@@ -52,6 +53,8 @@ struct Function {
 
     // The stages as one expression of selects.
     void join_stages();
+    // Finds parameters that the result does not depend on.
+    void mark_unused_parameters();
 
 private:
     void label_node(std::string_view as, NodeId node, std::string_view note);

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -132,10 +133,12 @@ private:
                       : fmt::format("{}{} {}(", words_.before_function, type(function_.result), function_.name);
         const std::string indent(line.size(), ' ');
         const std::string end = is_wgsl() ? fmt::format(") -> {}", type(function_.result)) : ")";
+        std::vector<Parameter> used;
+        std::copy_if(function_.parameters.begin(), function_.parameters.end(), std::back_inserter(used),
+                     [](const Parameter& each) { return each.is_used; });
         std::string lines;
-        for (std::size_t i = 0; i < function_.parameters.size(); ++i) {
-            const Parameter& parameter = function_.parameters[i];
-            const bool is_last = i + 1 == function_.parameters.size();
+        for (const Parameter& parameter : used) {
+            const bool is_last = &parameter == &used.back();
             std::string part = is_wgsl() ? fmt::format("{}: {}", parameter.name, type(parameter.type))
                                          : fmt::format("{} {}", type(parameter.type), parameter.name);
             part += is_last ? end : ",";
@@ -418,10 +421,11 @@ std::string description(const Formula& formula, const Function& function) {
     text += comment(fmt::format("Returns {}.", formula.result));
     std::size_t width = 0;
     for (const Parameter& parameter : function.parameters)
-        width = std::max(width, parameter.name.size());
+        if (parameter.is_used) width = std::max(width, parameter.name.size());
     for (const Parameter& parameter : function.parameters)
-        text += comment(parameter.meaning, fmt::format("//   {:<{}}  ", parameter.name, width),
-                        fmt::format("//   {:<{}}  ", "", width));
+        if (parameter.is_used)
+            text += comment(parameter.meaning, fmt::format("//   {:<{}}  ", parameter.name, width),
+                            fmt::format("//   {:<{}}  ", "", width));
     text += comment(fmt::format("Source: {}.", formula.source));
     std::string error = fmt::format("Error in float, against double in 10,000 random poses: at most {} of {}",
                                     rounded_text(formula.error.apart), formula.error_of);

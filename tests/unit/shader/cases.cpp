@@ -327,6 +327,20 @@ Case random_case(const Formula& formula, Dice& dice) {
         const core_vector l = in.put(above(dice, n));
         const core_vector v = in.put(above(dice, n));
         value = with_material(dice, in, names.material, [&](const auto& of) { return shading::brdf(of, n, l, v); });
+    } else if (names.what == "sample") {
+        const core_vector n = in.put(dice.direction());
+        const core_vector v = in.put(above(dice, n));
+        const core_vector u = in.put(dice.color());
+        value = with_material(dice, in, names.material,
+                              [&](const auto& of) { return shading::sample_brdf(of, n, v, u).l; });
+    } else if (names.what == "pdf") {
+        const core_vector n = in.put(dice.direction());
+        const core_vector v = in.put(above(dice, n));
+        const core_vector l = in.put(above(dice, n));
+        value = with_material(dice, in, names.material, [&](const auto& of) {
+            const double pdf = shading::pdf_brdf(of, n, v, l);
+            return core_vector{pdf, pdf, pdf};
+        });
     } else if (names.what == "shade" && (names.light == "point" || names.light == "spot")) {
         const bool is_spot = names.light == "spot";
         const Expected lit = is_spot ? spot_case(dice, in, names.method) : point_case(dice, in, names.method);
@@ -374,7 +388,7 @@ std::vector<Case> random_cases(const Formula& formula, std::size_t count) {
 double error_of(const Case& pose, const std::array<double, 3>& result, Type type) {
     double largest = 0.0;
     for (std::size_t i = 0; i < (type == Type::vector ? 3U : 1U); ++i) {
-        const double error = std::fabs(result[i] - pose.expected[i]) / (pose.expected[i] + pose.scale);
+        const double error = std::fabs(result[i] - pose.expected[i]) / (std::fabs(pose.expected[i]) + pose.scale);
         largest = error >= largest ? error : (error < largest ? largest : 1e30); // a NaN is an error too
     }
     return largest;

@@ -129,6 +129,27 @@ TEST(ShaderBranches, DoNotChangeTheResult) {
     }
 }
 
+// The core's scale by a power of two is left out: sizes from 8e-5 m and distances up to 1e5 m give the same digits.
+TEST(ShaderRange, LengthsMayBeSmallOrLarge) {
+    for (const Formula& formula : formulas()) {
+        if (formula.names.what != "irradiance" || formula.names.method != "exact" || formula.names.light == "sun")
+            continue;
+        const Function function = recorded(formula);
+        for (const Case& pose : random_cases(formula, 500)) {
+            for (const float scale : {0x1p-8F, 0x1p8F}) {
+                std::vector<float> inputs;
+                for (const Parameter& parameter : function.parameters) {
+                    const bool is_length = parameter.type == Type::scalar || parameter.name == "to_center";
+                    for (int i = 0; i < (parameter.type == Type::vector ? 3 : 1); ++i)
+                        inputs.push_back(pose.inputs[inputs.size()] * (is_length ? scale : 1.0F));
+                }
+                ASSERT_EQ(evaluate<float>(function, inputs), evaluate<float>(function, pose.inputs))
+                    << formula.function;
+            }
+        }
+    }
+}
+
 TEST(ShaderText, IsTheSameEachTime) {
     for (const Formula& formula : formulas())
         for (const ShaderLanguage language : all_languages)
