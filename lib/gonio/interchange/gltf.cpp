@@ -569,6 +569,9 @@ private:
     Result<void> read_mesh(const FoundLight& base, std::uint32_t at) {
         const std::uint32_t mesh = index_.nodes[at].mesh;
         if (mesh >= index_.meshes.size()) return wrong("SCN0103", at, fmt::format("there is no mesh {}", mesh));
+        glows_.resize(index_.meshes.size(), unknown);
+        if (glows_[mesh] == no) return {};
+        glows_[mesh] = no;
         const GltfElement element = index_.meshes[mesh];
         Result<Json> json = parsed(element);
         if (!json) return pass_on(json);
@@ -583,6 +586,7 @@ private:
                     fmt::format("there is no material {}, only {}", material->as_uint64(), glowing_.size()));
             const glm::dvec3 rgb = glowing_[static_cast<std::size_t>(material->as_uint64())];
             if (rgb == glm::dvec3(0.0)) continue;
+            glows_[mesh] = yes;
             FoundLight light = base;
             light.kind = "mesh";
             light.index = mesh;
@@ -613,6 +617,7 @@ private:
     static constexpr char yes = 1;
     static constexpr char no = 2;
     std::vector<char> shown_;         // by node
+    std::vector<char> glows_;         // by mesh
     std::vector<glm::dvec3> glowing_; // by material
     std::unordered_map<std::uint32_t, glm::dmat4> worlds_;
     std::unordered_map<std::size_t, std::size_t> inside_; // profiles by the index of EXT_lights_ies

@@ -114,10 +114,11 @@ private:
     // An attribute's text, with the names of <default> in it replaced.
     std::string text(pugi::xml_node node, const char* attribute) const {
         std::string value = node.attribute(attribute).value();
+        constexpr std::size_t longest = 65536;
+        if (value.size() > longest) return value;
         for (std::size_t at = value.find('$'); at != std::string::npos; at = value.find('$', at + 1))
             for (auto known = defaults_.rbegin(); known != defaults_.rend(); ++known) // longest names first
                 if (value.compare(at + 1, known->first.size(), known->first) == 0) {
-                    constexpr std::size_t longest = 65536;
                     if (value.size() > longest) return value;
                     value.replace(at, known->first.size() + 1, known->second);
                     break;
