@@ -199,14 +199,14 @@ private:
             }
             above.push_back(at);
         }
-        for (auto next = above.rbegin(); next != above.rend(); ++next) {
-            const GltfElement element = index_.nodes[*next].element;
+        for (std::size_t i = above.size(); i-- > 0;) { // from the root down
+            const GltfElement element = index_.nodes[above[i]].element;
             Result<Json> json = parsed(element);
             if (!json) return pass_on(json);
             Result<glm::dmat4> own = local(*json, element);
             if (!own) return own;
             world = world * *own;
-            if (*next != node) worlds_.emplace(*next, world);
+            if (above[i] != node) worlds_.emplace(above[i], world);
         }
         return world;
     }

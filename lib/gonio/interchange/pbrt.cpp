@@ -569,7 +569,7 @@ private:
         light.intensity = amount(luminance * power, "lm");
     }
 
-    void take_triangles(FoundLight& light, const Parameters& shape, bool two_sided) {
+    void take_triangles(FoundLight& light, const Parameters& shape, bool two_sided) const {
         const Parameter* const written = find(shape, "P");
         if (written == nullptr || written->numbers.size() % 3 != 0) return only_list(light, "a mesh without points");
         std::vector<glm::dvec3> points;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -205,8 +206,9 @@ bool take_ellipse(FoundLight& light, const std::vector<glm::dvec3>& corners, con
                   char up) {
     constexpr std::size_t fewest = 12;
     if (corners.size() < fewest) return false;
-    glm::dvec3 low(INFINITY);
-    glm::dvec3 high(-INFINITY);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(infinity);
+    glm::dvec3 high(-infinity);
     for (const glm::dvec3& corner : corners) {
         low = glm::min(low, corner);
         high = glm::max(high, corner);
