@@ -102,7 +102,7 @@ class GltfReader {
 public:
     GltfReader(const GltfDocument& document, GltfIndex& index, const std::string& source,
                const SceneReadOptions& options)
-        : document_(document), index_(index), source_(source), options_(options), places_(document.json, source) {}
+        : document_(document), index_(index), options_(options), places_(document.json, source) {}
 
     Result<FoundScene> read() {
         scene_.generator = index_.generator;
@@ -475,7 +475,7 @@ private:
                             fmt::format("there is no buffer {}, only {}", *buffer, index_.buffers.size()));
         Result<Json> described = parsed(index_.buffers[*buffer]);
         if (!described) return pass_on(described);
-        const auto missing = [&](std::string why) {
+        const auto missing = [&](const std::string& why) {
             light.shape.reset();
             remark(light, "SCN0107", "the buffer of its profile is not usable: " + why);
             return std::string();
@@ -608,7 +608,6 @@ private:
 
     const GltfDocument& document_;
     GltfIndex& index_;
-    const std::string& source_;
     const SceneReadOptions& options_;
     LinePlaces places_;
     FoundScene scene_;

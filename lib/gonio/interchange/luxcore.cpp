@@ -15,15 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 namespace gonio::interchange_detail {
 
 namespace {
-
-using std::numbers::pi;
 
 // The properties of one light, material, shape or object.
 struct Item {
