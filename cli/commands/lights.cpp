@@ -45,6 +45,17 @@ constexpr std::array examples{
     Example{"gonio lights scene.glb --fix -o fixed.glb", "the same file with corrected numbers"},
 };
 
+// The last part of a name that a scene gives, as that of a file here.
+std::string plain_file_name(const std::string& written) {
+    std::string plain;
+    for (const char c : written.substr(written.find_last_of("/\\") + 1)) {
+        const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                              c == '-' || c == '_';
+        plain += is_plain ? c : '_';
+    }
+    return plain;
+}
+
 // Writes the rig, and beside it the profiles that are not in its folder yet.
 Result<void> write_rig(const FoundScene& scene, const SceneRequest& request, const std::string& output) {
     std::vector<OutputFile> files(1);
@@ -65,8 +76,7 @@ Result<void> write_rig(const FoundScene& scene, const SceneRequest& request, con
         const std::string key = light.profile ? fmt::format("/{}", *light.profile) : written;
         const auto [at, is_new] = names.try_emplace(key);
         if (!is_new) return at->second;
-        std::string base = light.profile ? scene.profiles[*light.profile].name + ".ies"
-                                         : written.substr(written.find_last_of("/\\") + 1);
+        std::string base = light.profile ? scene.profiles[*light.profile].name + ".ies" : plain_file_name(written);
         std::string free = prefix + "." + base;
         for (int number = 2; taken.contains(free); ++number)
             free = fmt::format("{}.{}.{}", prefix, number, base);

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <unordered_map>
@@ -73,8 +74,9 @@ public:
         : scene_(scene), lumens_per_watt_(lumens_per_watt) {}
 
     std::vector<SceneFinding> findings() {
-        glm::dvec3 low(INFINITY);
-        glm::dvec3 high(-INFINITY);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        glm::dvec3 low(infinity);
+        glm::dvec3 high(-infinity);
         std::size_t placed = 0;
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
             const FoundLight& light = scene_.lights[i];

@@ -102,7 +102,7 @@ class GltfReader {
 public:
     GltfReader(const GltfDocument& document, GltfIndex& index, const std::string& source,
                const SceneReadOptions& options)
-        : document_(document), index_(index), source_(source), options_(options), places_(document.json, source) {}
+        : document_(document), index_(index), options_(options), places_(document.json, source) {}
 
     Result<FoundScene> read() {
         scene_.generator = index_.generator;
@@ -199,14 +199,14 @@ private:
             }
             above.push_back(at);
         }
-        for (auto next = above.rbegin(); next != above.rend(); ++next) {
-            const GltfElement element = index_.nodes[*next].element;
+        for (std::size_t i = above.size(); i-- > 0;) { // from the root down
+            const GltfElement element = index_.nodes[above[i]].element;
             Result<Json> json = parsed(element);
             if (!json) return pass_on(json);
             Result<glm::dmat4> own = local(*json, element);
             if (!own) return own;
             world = world * *own;
-            if (*next != node) worlds_.emplace(*next, world);
+            if (above[i] != node) worlds_.emplace(above[i], world);
         }
         return world;
     }
@@ -475,7 +475,7 @@ private:
                             fmt::format("there is no buffer {}, only {}", *buffer, index_.buffers.size()));
         Result<Json> described = parsed(index_.buffers[*buffer]);
         if (!described) return pass_on(described);
-        const auto missing = [&](std::string why) {
+        const auto missing = [&](const std::string& why) {
             light.shape.reset();
             remark(light, "SCN0107", "the buffer of its profile is not usable: " + why);
             return std::string();
@@ -569,6 +569,9 @@ private:
     Result<void> read_mesh(const FoundLight& base, std::uint32_t at) {
         const std::uint32_t mesh = index_.nodes[at].mesh;
         if (mesh >= index_.meshes.size()) return wrong("SCN0103", at, fmt::format("there is no mesh {}", mesh));
+        glows_.resize(index_.meshes.size(), unknown);
+        if (glows_[mesh] == no) return {};
+        glows_[mesh] = no;
         const GltfElement element = index_.meshes[mesh];
         Result<Json> json = parsed(element);
         if (!json) return pass_on(json);
@@ -583,6 +586,7 @@ private:
                     fmt::format("there is no material {}, only {}", material->as_uint64(), glowing_.size()));
             const glm::dvec3 rgb = glowing_[static_cast<std::size_t>(material->as_uint64())];
             if (rgb == glm::dvec3(0.0)) continue;
+            glows_[mesh] = yes;
             FoundLight light = base;
             light.kind = "mesh";
             light.index = mesh;
@@ -604,7 +608,6 @@ private:
 
     const GltfDocument& document_;
     GltfIndex& index_;
-    const std::string& source_;
     const SceneReadOptions& options_;
     LinePlaces places_;
     FoundScene scene_;
@@ -613,6 +616,7 @@ private:
     static constexpr char yes = 1;
     static constexpr char no = 2;
     std::vector<char> shown_;         // by node
+    std::vector<char> glows_;         // by mesh
     std::vector<glm::dvec3> glowing_; // by material
     std::unordered_map<std::uint32_t, glm::dmat4> worlds_;
     std::unordered_map<std::size_t, std::size_t> inside_; // profiles by the index of EXT_lights_ies

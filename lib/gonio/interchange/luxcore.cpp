@@ -15,15 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 namespace gonio::interchange_detail {
 
 namespace {
-
-using std::numbers::pi;
 
 // The properties of one light, material, shape or object.
 struct Item {
@@ -283,6 +280,11 @@ private:
             only_list(light, fmt::format("its shape is a '{}'", shape->text("type").substr(0, 40)));
             return {};
         }
+        // Objects may share a mesh: the work is bounded, not only the file.
+        mesh_bytes_ += shape->text("vertices").size() + shape->text("faces").size();
+        if (mesh_bytes_ > limit("scene-bytes").value)
+            return wrong("SCN0108", object.offset,
+                         fmt::format("the meshes of its objects hold more than {}", to_text(limit("scene-bytes"))));
         Result<glm::dmat4> world = transformation(object);
         if (!world) return pass_on(world);
         Result<std::vector<double>> vertices = numbers(*shape, "vertices", 0);
@@ -325,6 +327,7 @@ private:
     FoundScene scene_;
     std::map<std::string, Items> groups_;
     std::map<std::string, std::map<std::string, std::size_t, std::less<>>> indices_;
+    std::uint64_t mesh_bytes_ = 0; // of all objects that glow
     char up_ = 'z';
 };
 

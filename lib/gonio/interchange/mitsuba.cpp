@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -114,12 +115,13 @@ private:
     // An attribute's text, with the names of <default> in it replaced.
     std::string text(pugi::xml_node node, const char* attribute) const {
         std::string value = node.attribute(attribute).value();
+        constexpr std::size_t longest = 65536;
+        if (value.size() > longest) return value;
         for (std::size_t at = value.find('$'); at != std::string::npos; at = value.find('$', at + 1))
-            for (auto known = defaults_.rbegin(); known != defaults_.rend(); ++known) // longest names first
-                if (value.compare(at + 1, known->first.size(), known->first) == 0) {
-                    constexpr std::size_t longest = 65536;
+            for (const auto& [name, replacement] : defaults_)
+                if (value.compare(at + 1, name.size(), name) == 0) {
                     if (value.size() > longest) return value;
-                    value.replace(at, known->first.size() + 1, known->second);
+                    value.replace(at, name.size() + 1, replacement);
                     break;
                 }
         return value;
@@ -508,7 +510,7 @@ private:
     LinePlaces places_;
     FoundScene scene_;
     std::deque<Document> documents_;
-    std::map<std::string, std::string> defaults_;
+    std::map<std::string, std::string, std::greater<>> defaults_; // of names that begin alike, the longest first
     std::map<std::string, pugi::xml_node, std::less<>> emitters_;
     std::uint64_t included_ = 0;
     char up_ = 'z';

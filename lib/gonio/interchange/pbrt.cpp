@@ -20,6 +20,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -73,7 +74,7 @@ glm::dvec3 point(const Parameters& parameters, std::string_view name, const glm:
 struct State {
     glm::dmat4 world{1.0};
     bool is_reversed = false;
-    std::optional<Parameters> area; // of AreaLightSource
+    std::shared_ptr<const Parameters> area; // of AreaLightSource; shared because states are copied
     std::string area_kind;
     std::string name; // the comment behind AttributeBegin
     const RgbSpace* space = nullptr;
@@ -368,7 +369,7 @@ private:
             Result<Parameters> all = parameters();
             if (!all) return pass_on(all);
             if (name == "AreaLightSource") {
-                state_.area = std::move(*all);
+                state_.area = std::make_shared<const Parameters>(std::move(*all));
                 state_.area_kind = *kind;
                 return {};
             }
@@ -568,7 +569,7 @@ private:
         light.intensity = amount(luminance * power, "lm");
     }
 
-    void take_triangles(FoundLight& light, const Parameters& shape, bool two_sided) {
+    void take_triangles(FoundLight& light, const Parameters& shape, bool two_sided) const {
         const Parameter* const written = find(shape, "P");
         if (written == nullptr || written->numbers.size() % 3 != 0) return only_list(light, "a mesh without points");
         std::vector<glm::dvec3> points;

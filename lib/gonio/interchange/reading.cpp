@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -27,18 +28,16 @@ Unexpected scene_error(SceneCode code, Location location, std::string message, s
 
 Location LinePlaces::at(std::size_t offset) {
     offset = std::min(offset, text_.size());
-    if (offset < at_) {
-        at_ = 0;
+    if (offset < line_begin_) {
         line_begin_ = 0;
         line_ = 1;
+        line_end_ = text_.find('\n');
     }
-    while (true) {
-        const std::size_t end = text_.find('\n', at_);
-        if (end == std::string_view::npos || end >= offset) break;
-        at_ = line_begin_ = end + 1;
+    while (line_end_ < offset) { // npos is beyond every offset
+        line_begin_ = line_end_ + 1;
+        line_end_ = text_.find('\n', line_begin_);
         ++line_;
     }
-    at_ = std::max(line_begin_, std::min(at_, offset));
     return {source_, line_, static_cast<std::uint32_t>(offset - line_begin_ + 1)};
 }
 
@@ -207,8 +206,9 @@ bool take_ellipse(FoundLight& light, const std::vector<glm::dvec3>& corners, con
                   char up) {
     constexpr std::size_t fewest = 12;
     if (corners.size() < fewest) return false;
-    glm::dvec3 low(INFINITY);
-    glm::dvec3 high(-INFINITY);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(infinity);
+    glm::dvec3 high(-infinity);
     for (const glm::dvec3& corner : corners) {
         low = glm::min(low, corner);
         high = glm::max(high, corner);
@@ -275,12 +275,14 @@ void take_mesh(FoundLight& light, const std::vector<glm::dvec3>& points, const s
     const std::string what = fmt::format("a mesh of {} triangles and {} m²", faces.size(), rounded(area, 4));
     if (!(area > 0.0) || !std::isfinite(area)) return only_list(light, "a mesh without an area");
     if (std::abs(glm::length(normal) - area) <= 1e-9 * area) { // flat, all faces to one side
+        constexpr std::size_t most = 512;                      // of an ellipse; others are not looked at in pairs
         std::vector<glm::dvec3> corners;
-        for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t i = 0; i < points.size() && corners.size() <= most; ++i)
             if (used[i] && std::none_of(corners.begin(), corners.end(), [&](const glm::dvec3& other) {
-                    return corners.size() < 512 && glm::length(points[i] - other) <= 1e-9 * std::sqrt(area);
+                    return glm::length(points[i] - other) <= 1e-9 * std::sqrt(area);
                 }))
                 corners.push_back(points[i]);
+        if (corners.size() > most) corners.clear();
         if (corners.size() == 4 && take_rectangle(light, corners, normal, area, up)) return;
         if (take_ellipse(light, corners, normal, area, up)) return;
     }

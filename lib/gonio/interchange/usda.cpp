@@ -185,12 +185,12 @@ private:
             }
             above.push_back(at);
         }
-        for (auto next = above.rbegin(); next != above.rend(); ++next) {
+        for (std::size_t i = above.size(); i-- > 0;) { // from the root down
             bool resets = false;
-            Result<glm::dmat4> own = local(layer_.prims[*next], resets);
+            Result<glm::dmat4> own = local(layer_.prims[above[i]], resets);
             if (!own) return own;
             world = resets ? *own : world * *own;
-            worlds_[*next] = world;
+            worlds_[above[i]] = world;
         }
         return world;
     }

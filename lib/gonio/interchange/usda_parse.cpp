@@ -277,6 +277,7 @@ private:
         return attribute();
     }
 
+    static constexpr std::uint32_t no_parent = 0xffffffff;
     static constexpr std::uint32_t variant = 0xfffffffe;
     static constexpr std::uint32_t variant_set = 0xffffffff;
 
@@ -315,11 +316,8 @@ private:
         if (Result<void> read = advance(); !read) return read;
         if (token_.is('('))
             if (Result<void> read = prim_metadata(made); !read) return read;
-        for (auto outer = open_.rbegin(); outer != open_.rend(); ++outer)
-            if (*outer < variant) {
-                made.parent = *outer;
-                break;
-            }
+        for (std::size_t i = open_.size(); i-- > 0 && made.parent == no_parent;)
+            if (open_[i] < variant) made.parent = open_[i];
         if (layer_.prims.size() >= limit("scene-nodes").value)
             return wrong("SCN0108", made.offset, fmt::format("more than {}", to_text(limit("scene-nodes"))));
         layer_.prims.push_back(std::move(made));

@@ -24,14 +24,15 @@ Unexpected scene_error(SceneCode code, Location location, std::string message, s
 // Lines of ascending offsets; the whole series takes one pass over the text.
 class LinePlaces {
 public:
-    LinePlaces(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
+    LinePlaces(std::string_view text, std::string source)
+        : text_(text), source_(std::move(source)), line_end_(text.find('\n')) {}
     Location at(std::size_t offset);
 
 private:
     std::string_view text_;
     std::string source_;
-    std::size_t at_ = 0;
     std::size_t line_begin_ = 0;
+    std::size_t line_end_; // npos: the last line
     std::uint32_t line_ = 1;
 };
 
