@@ -1,6 +1,5 @@
 #include <gonio/shader/graph.hpp>
 
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -107,9 +106,9 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
     std::uint64_t hash =
         (static_cast<std::uint64_t>(node.operation) << 16) ^ (static_cast<std::uint64_t>(node.type) << 8) ^ node.index;
     for (const std::uint64_t part : {std::uint64_t{node.arguments[0]}, std::uint64_t{node.arguments[1]},
-                                     std::uint64_t{node.arguments[2]}, std::bit_cast<std::uint64_t>(node.number)})
+                                     std::uint64_t{node.arguments[2]}, __builtin_bit_cast(std::uint64_t, node.number)})
         hash = (hash ^ part) * 0x9E3779B97F4A7C15U + (hash >> 29);
-    return hash;
+    return static_cast<std::size_t>(hash);
 }
 
 NodeId Graph::add(const Node& node) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -279,9 +278,7 @@ private:
     }
 
     std::string number(double value) const {
-        std::array<char, 32> buffer{};
-        const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), static_cast<float>(value));
-        std::string text(buffer.data(), end.ptr);
+        std::string text = fmt::format("{}", static_cast<float>(value)); // as few digits as read back as it
         if (text.find_first_of(".e") == std::string::npos) text += ".0";
         const std::size_t exponent = text.find("e-0"); // 1e-04 is 1e-4
         if (exponent != std::string::npos) text.erase(exponent + 2, 1);
