@@ -144,6 +144,9 @@ Result<int> run_lights(const Arguments& arguments, Console& console) {
     const Stopwatch watch;
     Result<FoundScene> scene = read_scene_lights(request->bytes, request->file, request->options, request->format);
     if (!scene) return pass_on(scene);
+    if (request->options.time && scene->format != "usd")
+        return fail("USE0107", fmt::format("--time is for USD, and '{}' is {}", request->file, scene->format),
+                    "leave it out");
     load_scene_profiles(*scene, request->options);
     console.remark(fmt::format("read in {:.1f} ms", watch.milliseconds()));
     Diagnostics diagnostics = scene_diagnostics(*scene);

@@ -49,6 +49,11 @@ Result<SceneRequest> parse_scene(const Arguments& arguments) {
             return fail("USE0105", fmt::format("--up takes y or z, not '{}'", *text), "for example --up y");
         request.options.up = text->front();
     }
+    if (const auto text = arguments.value("--time")) {
+        request.options.time = parse_number(*text);
+        if (!request.options.time)
+            return fail("USE0105", fmt::format("--time takes a number, not '{}'", *text), "for example --time 12");
+    }
     if (const auto text = arguments.value("--lm-per-watt")) {
         Result<Efficacy> efficacy = parse_efficacy(*text);
         if (!efficacy) return pass_on(efficacy);

@@ -17,8 +17,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,6 +67,9 @@ public:
         if (!layer_.states_up && !options_.up)
             warn(scene_, "SCN0201", {source_, 0, 0}, "upAxis is not stated: Y is assumed, as in USD",
                  "--up says what it is");
+        if (moves_)
+            warn(scene_, "SCN0201", {source_, 0, 0}, "transformations change over time: their first samples are taken",
+                 "--time 12 takes what holds at that time code");
         return std::move(scene_);
     }
 
@@ -76,13 +81,59 @@ private:
         if (found == nullptr) return nullptr;
         if (found->is_connected && light != nullptr)
             remark(*light, "SCN0201", fmt::format("'{}' is connected to another prim: its own value is taken", name));
-        if (found->value.is_set) return &found->value;
-        if (found->samples.empty()) return nullptr;
-        const auto first = std::min_element(found->samples.begin(), found->samples.end(),
-                                            [](const UsdSample& a, const UsdSample& b) { return a.time < b.time; });
-        if (light != nullptr && found->samples.size() > 1)
-            remark(*light, "SCN0201", fmt::format("'{}' changes over time: its first sample is taken", name));
-        return first->value.is_set ? &first->value : nullptr;
+        if (found->samples.empty() || (found->value.is_set && !options_.time))
+            return found->value.is_set ? &found->value : nullptr;
+        const UsdValue* const then = options_.time ? at_time(*found, *options_.time) : first_of(found->samples);
+        if (light != nullptr && !options_.time && found->samples.size() > 1) changing_.emplace_back(name);
+        return then->is_set ? then : nullptr;
+    }
+
+    static const UsdValue* first_of(const std::vector<UsdSample>& samples) {
+        const auto first = std::min_element(samples.begin(), samples.end(), is_before);
+        return &first->value;
+    }
+    static bool is_before(const UsdSample& a, const UsdSample& b) { return a.time < b.time; }
+
+    // Outside the samples' times, the nearest.
+    const UsdValue* at_time(const UsdAttribute& attribute, double time) {
+        const UsdSample* before = nullptr;
+        const UsdSample* after = nullptr;
+        for (const UsdSample& sample : attribute.samples) {
+            if (sample.time <= time && (before == nullptr || is_before(*before, sample))) before = &sample;
+            if (sample.time >= time && (after == nullptr || is_before(sample, *after))) after = &sample;
+        }
+        if (before == nullptr) return &after->value;
+        const std::vector<double>& low = before->value.numbers;
+        if (after == nullptr || before->time == after->time || attribute.between == UsdBetween::held ||
+            !after->value.is_set || low.size() != after->value.numbers.size())
+            return &before->value;
+        const std::vector<double>& high = after->value.numbers;
+        const double share = (time - before->time) / (after->time - before->time);
+        UsdValue& made = made_.emplace_back(before->value);
+        if (attribute.between == UsdBetween::turned && low.size() == 4) {
+            const auto turn = [](const std::vector<double>& v) {
+                return glm::normalize(glm::dquat(v[0], v[1], v[2], v[3]));
+            };
+            const glm::dquat between = glm::slerp(turn(low), turn(high), share);
+            made.numbers = {between.w, between.x, between.y, between.z};
+        } else {
+            for (std::size_t i = 0; i < low.size(); ++i)
+                made.numbers[i] = (1.0 - share) * low[i] + share * high[i];
+        }
+        return &made;
+    }
+
+    // Where no time is given.
+    void say_what_changes(FoundLight& light) const {
+        if (changing_.empty()) return;
+        const std::string others = changing_.size() == 1   ? std::string()
+                                   : changing_.size() == 2 ? fmt::format(" and '{}'", changing_[1])
+                                                           : fmt::format(" and {} more", changing_.size() - 1);
+        remark(light, "SCN0201",
+               fmt::format("'{}'{} over time: the first {}", changing_.front(),
+                           others + (changing_.size() == 1 ? " changes" : " change"),
+                           changing_.size() == 1 ? "sample is taken" : "samples are taken"),
+               "--time 12 takes what holds at that time code");
     }
 
     Result<double> number(FoundLight& light, const UsdPrim& prim, std::string_view name, double otherwise) {
@@ -109,6 +160,7 @@ private:
         if (found == nullptr)
             return scene_error("SCN0103", places_.at(prim.offset),
                                fmt::format("xformOpOrder names '{}', which has no value", name.substr(0, 80)));
+        moves_ = moves_ || (!options_.time && !attribute->value.is_set && attribute->samples.size() > 1);
         const std::vector<double>& v = found->numbers;
         std::string_view kind = name.substr(std::min(std::string_view("xformOp:").size(), name.size()));
         kind = kind.substr(0, kind.find(':'));
@@ -215,7 +267,9 @@ private:
         light.location = places_.at(prim.offset);
         Result<glm::dmat4> world = world_of(at);
         if (!world) return pass_on(world);
+        changing_.clear();
         if (Result<void> done = read_amount(light, prim, *world); !done) return done;
+        say_what_changes(light);
         if (light.shape && !is_shown(at)) {
             light.shape.reset();
             remark(light, "SCN0204", "it is inactive, invisible, a class or an override");
@@ -448,7 +502,10 @@ private:
     LinePlaces places_;
     FoundScene scene_;
     std::vector<std::optional<glm::dmat4>> worlds_; // by prim
+    std::deque<UsdValue> made_;                     // between samples
+    std::vector<std::string> changing_;             // attributes of the light that is read
     char up_ = 'y';
+    bool moves_ = false; // a transformation above a light changes over time
 };
 
 } // namespace

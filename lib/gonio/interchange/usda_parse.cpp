@@ -44,6 +44,16 @@ bool holds_light(std::string_view type, std::string_view attribute) {
            attribute == "xformOpOrder";
 }
 
+// Types of floating numbers change on a line, all others jump (OpenUSD, "Value Resolution").
+UsdBetween between_samples_of(std::string_view type) {
+    if (type.starts_with("quat")) return UsdBetween::turned;
+    constexpr std::array<std::string_view, 10> linear{"half",   "float",   "double", "color",    "point",
+                                                      "normal", "vector3", "matrix", "texCoord", "frame4d"};
+    const bool is_linear =
+        std::any_of(linear.begin(), linear.end(), [&](std::string_view start) { return type.starts_with(start); });
+    return is_linear ? UsdBetween::linear : UsdBetween::held;
+}
+
 class UsdaParser {
 public:
     UsdaParser(std::string_view text, const std::string& source) : text_(text), places_(text, source) {}
@@ -327,11 +337,13 @@ private:
     Result<void> attribute() {
         // custom uniform color3f[] name.suffix = value ( metadata )
         std::string_view name;
+        std::string_view type;
         std::size_t words = 0;
         bool is_relation = false;
         while (token_.kind == Kind::word || token_.is('[') || token_.is(']')) {
             if (token_.is("rel")) is_relation = true;
             if (token_.kind == Kind::word) {
+                type = name;
                 name = token_.text;
                 ++words;
             }
@@ -354,6 +366,7 @@ private:
                     return wrong("SCN0108", token_.offset, fmt::format("more than {} attributes of a prim", most));
                 prim->attributes.emplace_back();
                 prim->attributes.back().name = name;
+                prim->attributes.back().between = between_samples_of(type);
                 into = &prim->attributes.back();
             } else {
                 into = &*known;

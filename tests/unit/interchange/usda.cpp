@@ -5,7 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace gonio {
@@ -101,6 +103,40 @@ TEST(InterchangeUsd, ShapingMakesSpotsAndProfiles) {
     EXPECT_FALSE(light_of("RectLight", "float inputs:shaping:cone:angle = 30").is_converted());
     EXPECT_TRUE(light_of("RectLight", "float inputs:shaping:cone:angle = 90").is_converted());
     EXPECT_FALSE(light_of("DomeLight", "").is_converted());
+}
+
+// OpenUSD, "Value Resolution": floating numbers change on a line, quaternions on an arc, all else jumps; outside the
+// samples the nearest holds. A default holds where no time is given.
+TEST(InterchangeUsd, ValuesAtATime) {
+    const std::string text = usda(R"(def RectLight "moving" {
+        float inputs:intensity = 7
+        float inputs:intensity.timeSamples = { 20: 300, 10: 100, }
+        bool inputs:normalize.timeSamples = { 10: 0, 20: 1 }
+        float inputs:width.timeSamples = { 10: 2, 20: 4 }
+        double3 xformOp:translate.timeSamples = { 10: (0, 0, 0), 20: (10, 0, 0) }
+        quatf xformOp:orient.timeSamples = { 10: (1, 0, 0, 0), 20: (0.70710678, 0.70710678, 0, 0) }
+        uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:orient"]
+    })");
+    const auto at = [&](std::optional<double> time) {
+        SceneReadOptions options;
+        options.time = time;
+        return scene_of(text, options);
+    };
+    const FoundLight middle = at(15.0).lights.at(0);
+    EXPECT_NEAR(number_of(middle), 200.0, 1e-12); // not yet normalized
+    EXPECT_NEAR(std::get<RectShape>(*middle.shape).width.value, 3.0, 1e-12);
+    EXPECT_LT(glm::distance(middle.position, glm::dvec3(5.0, 0.0, 0.0)), 1e-12);
+    EXPECT_LT(glm::distance(middle.direction, glm::dvec3(0.0, std::sin(pi / 4.0), -std::cos(pi / 4.0))), 1e-7);
+    EXPECT_TRUE(middle.remarks.empty());
+    EXPECT_NEAR(number_of(at(99.0).lights.at(0)), 300.0 / 4.0, 1e-12);
+    EXPECT_NEAR(number_of(at(-1.0).lights.at(0)), 100.0, 1e-12);
+    const FoundScene untimed = at(std::nullopt);
+    EXPECT_NEAR(number_of(untimed.lights.at(0)), 7.0, 1e-12);
+    EXPECT_NEAR(std::get<RectShape>(*untimed.lights.at(0).shape).width.value, 2.0, 1e-12);
+    ASSERT_EQ(untimed.lights.at(0).remarks.size(), 1U); // one for all that changes
+    EXPECT_EQ(untimed.lights.at(0).remarks[0].message,
+              "'normalize' and 'width' change over time: the first samples are taken");
+    EXPECT_EQ(untimed.diagnostics.size(), 1U); // its place changes too
 }
 
 TEST(InterchangeUsd, TransformationsOpsParentsAndResets) {

@@ -26,10 +26,14 @@ struct UsdSample {
     UsdValue value;
 };
 
+// What lies between two samples.
+enum class UsdBetween : std::uint8_t { held, linear, turned }; // the former; numbers on a line; quaternions on an arc
+
 struct UsdAttribute {
     std::string name; // "inputs:intensity"
     UsdValue value;   // the default
     std::vector<UsdSample> samples;
+    UsdBetween between = UsdBetween::held;
     bool is_connected = false; // by .connect
 };
 
