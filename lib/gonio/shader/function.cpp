@@ -97,6 +97,39 @@ std::vector<bool> live_nodes(const Function& function) {
     return live;
 }
 
+std::vector<NodeId> printing_order(const Function& function) {
+    std::vector<NodeId> order;
+    std::vector<bool> is_seen(function.graph.nodes().size(), false);
+    struct Open {
+        NodeId node;
+        std::size_t next; // of its arguments
+    };
+    std::vector<Open> open;
+    const auto enter = [&](NodeId node) {
+        if (node == no_node || is_seen[node]) return;
+        is_seen[node] = true;
+        open.push_back({node, 0});
+    };
+    const auto walk = [&](NodeId root) {
+        enter(root);
+        while (!open.empty()) {
+            Open& last = open.back();
+            const Node& node = function.graph[last.node];
+            if (last.next < node.argument_count()) {
+                enter(node.arguments[last.next++]);
+                continue;
+            }
+            order.push_back(last.node);
+            open.pop_back();
+        }
+    };
+    for (const Stage& stage : function.stages) {
+        walk(stage.condition);
+        walk(stage.value);
+    }
+    return order;
+}
+
 std::size_t operation_count(const Function& function) {
     const std::vector<bool> live = live_nodes(function);
     std::size_t count = 0;

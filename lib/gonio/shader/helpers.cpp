@@ -90,10 +90,9 @@ std::array<Function, bodies.size()> recorded_bodies() {
 }
 
 void add_helpers(const Function& function, std::vector<Helper>& found) {
-    const std::vector<bool> live = live_nodes(function);
-    for (std::size_t id = 0; id < live.size(); ++id) {
-        const Node& node = function.graph.nodes()[id];
-        if (!live[id] || node.operation != Operation::call) continue;
+    for (const NodeId id : printing_order(function)) {
+        const Node& node = function.graph[id];
+        if (node.operation != Operation::call) continue;
         const auto helper = static_cast<Helper>(node.index);
         if (std::find(found.begin(), found.end(), helper) != found.end()) continue;
         add_helpers(function_of(helper), found);

@@ -98,6 +98,7 @@ public:
         : function_(function),
           words_(words),
           live_(live_nodes(function)),
+          order_(printing_order(function)),
           uses_(live_.size(), 0),
           texts_(live_.size()),
           is_done_(live_.size(), false) {
@@ -203,7 +204,7 @@ private:
     }
 
     void print_nodes(const std::vector<bool>& which) {
-        for (NodeId id = 0; id < which.size(); ++id) {
+        for (const NodeId id : order_) {
             if (!which[id] || is_done_[id]) continue;
             is_done_[id] = true;
             texts_[id] = shortened(id);
@@ -399,6 +400,7 @@ private:
     const Function& function_;
     const Words& words_;
     std::vector<bool> live_;
+    std::vector<NodeId> order_;
     std::vector<unsigned> uses_;
     std::vector<Text> texts_;
     std::vector<bool> is_done_;

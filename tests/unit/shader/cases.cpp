@@ -26,6 +26,7 @@ namespace {
 using core_vector = shading::vec3<double>;
 constexpr double pi = std::numbers::pi;
 
+// Each draw is a statement of its own: compilers compute the sides of an operator in different orders.
 class Dice {
 public:
     double between(double low, double high) {
@@ -38,6 +39,10 @@ public:
         const double phi = between(0.0, 2.0 * pi);
         const double r = std::sqrt(1.0 - z * z);
         return {r * std::cos(phi), r * std::sin(phi), z};
+    }
+    core_vector anywhere(double least, double most) {
+        const core_vector towards = direction();
+        return towards * log_between(least, most);
     }
     core_vector across(core_vector axis) { return shading::normalized(shading::cross(axis, direction())); }
     core_vector color() { return {between(0.0, 1.0), between(0.0, 1.0), between(0.0, 1.0)}; }
@@ -73,11 +78,13 @@ struct Extent {
 
 // The vector to the light's centre: near its surface in one case of three, anywhere else.
 core_vector place(Dice& dice, const Extent& extent) {
-    if (!dice.one_in(3)) return dice.direction() * dice.log_between(0.02 * extent.size(), 300.0 * extent.size());
-    core_vector on =
-        extent.x * (extent.half_x * dice.between(-1.0, 1.0)) + extent.y * (extent.half_y * dice.between(-1.0, 1.0));
+    if (!dice.one_in(3)) return dice.anywhere(0.02 * extent.size(), 300.0 * extent.size());
+    const double along_x = extent.half_x * dice.between(-1.0, 1.0);
+    const double along_y = extent.half_y * dice.between(-1.0, 1.0);
+    core_vector on = extent.x * along_x + extent.y * along_y;
     if (dice.one_in(3)) on = on * (1.0 / std::max(1e-3, dice.between(0.0, 1.0))); // beside it
-    return on + dice.direction() * (extent.rounding + extent.size() * dice.log_between(1e-4, 0.1));
+    const core_vector away = dice.direction();
+    return on + away * (extent.rounding + extent.size() * dice.log_between(1e-4, 0.1));
 }
 
 // Often so that the horizon cuts a light of this size.
@@ -85,7 +92,8 @@ core_vector facing(Dice& dice, core_vector to_center, double size) {
     const core_vector l = shading::normalized(to_center);
     if (dice.one_in(2)) return dice.direction();
     const double reach = 1.2 * std::min(1.0, size / std::max(shading::length(to_center), 1e-30));
-    return shading::normalized(dice.across(l) + l * dice.between(-reach, reach));
+    const core_vector across = dice.across(l);
+    return shading::normalized(across + l * dice.between(-reach, reach));
 }
 
 double subtended(double distance, double size) {
@@ -204,7 +212,7 @@ double inverse_square(core_vector to_light, core_vector n) {
 }
 
 Expected point_case(Dice& dice, Inputs& in, std::string_view method) {
-    const core_vector l = in.put(dice.direction() * dice.log_between(0.01, 100.0));
+    const core_vector l = in.put(dice.anywhere(0.01, 100.0));
     const core_vector n = in.put(dice.direction());
     const double d = shading::length(l);
     double window = 1.0;
@@ -217,7 +225,7 @@ Expected point_case(Dice& dice, Inputs& in, std::string_view method) {
 }
 
 Expected spot_case(Dice& dice, Inputs& in, std::string_view method) {
-    const core_vector l = in.put(dice.direction() * dice.log_between(0.01, 100.0));
+    const core_vector l = in.put(dice.anywhere(0.01, 100.0));
     const core_vector n = in.put(dice.direction());
     const double from = dice.log_between(0.02, 1.5);
     const double to = from + dice.log_between(0.02, 1.5);
