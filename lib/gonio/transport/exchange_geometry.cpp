@@ -86,8 +86,11 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
             escaping_.push_back(from_cells_.escaping(i));
     }
     places.clear();
-    for (const Node& node : nodes_)
-        places.push_back({node.position, node.normal, own(node.surface), !node.gathers()});
+    for (const Node& node : nodes_) {
+        const std::size_t chart =
+            patches_.charts().index_of(node.surface, face_at(stage_.surfaces[node.surface].geometry, node.position));
+        places.push_back({node.position, node.normal, own(node.surface), !node.gathers(), patches_.is_slight(chart)});
+    }
     if (quality.node_rays > 0) from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
     if (quality.cell_rays == 0) return;
     around_.resize(patches_.count());

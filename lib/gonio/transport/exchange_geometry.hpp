@@ -19,11 +19,16 @@ public:
                      simd::InstructionSet set);
 
     const Stage& stage() const { return stage_; }
+    const ExchangeQuality& quality() const { return quality_; }
     const Patches& patches() const { return patches_; }
     const std::vector<Node>& nodes() const { return nodes_; }
     // From what nodes gathered, by node, to all of them and their slopes.
     std::vector<NodeValue> field_of(std::span<const glm::dvec3> gathered) const;
 
+    // How many rays each node of a chart has.
+    std::size_t node_rays(std::size_t chart) const {
+        return (patches_.is_slight(chart) ? Bundles::finer : 1) * quality_.node_rays;
+    }
     const Bundles& from_cells() const { return from_cells_; }
     const Bundles& from_nodes() const { return from_nodes_; }
     // The share of a cell's rays that meet no patch.

@@ -202,14 +202,17 @@ std::vector<glm::dvec3> Interreflection::finely_to_nodes(unsigned threads) const
     const std::vector<detail::Node>& nodes = geometry_->nodes();
     const detail::Bundles& bundles = geometry_->from_nodes();
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
-    const detail::DirectionArrays directions(detail::cosine_directions(bundles.rays()));
+    const detail::DirectionArrays directions(detail::cosine_directions(geometry_->quality().node_rays));
+    const detail::DirectionArrays fine(
+        detail::cosine_directions(detail::Bundles::finer * geometry_->quality().node_rays));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
             if (!nodes[i].gathers()) continue;
             lx[i] = bundles.gathered(i, *slopes_);
             if (!thrown_->empty())
-                lx[i] += thrown_->gathered(bundles, i, {nodes[i].position, nodes[i].normal}, directions);
+                lx[i] += thrown_->gathered(bundles, i, {nodes[i].position, nodes[i].normal},
+                                           bundles.ends(i).size() == directions.size() ? directions : fine);
         }
     });
     return lx;

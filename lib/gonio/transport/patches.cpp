@@ -296,7 +296,9 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
                             : is_sheet(geometry) ? std::numeric_limits<double>::infinity()
                                                  : bounds(geometry)->radius;
     const auto* const capsule = std::get_if<Capsule>(&geometry);
-    const bool is_small = radius_m < small * square_m_ || (capsule != nullptr && capsule->radius < thin * square_m_);
+    const bool is_thin = capsule != nullptr && capsule->radius < thin * square_m_;
+    const bool is_small = radius_m < small * square_m_ || is_thin;
+    is_slight_.push_back(is_thin || (is_small && panel != nullptr) ? 1 : 0);
     for (std::uint32_t row = 0; row < grid.rows; row += cell_side)
         for (std::uint32_t column = 0; column < grid.columns; column += cell_side) {
             const std::uint32_t end_row = std::min(row + cell_side, grid.rows);

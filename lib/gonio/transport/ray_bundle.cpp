@@ -449,15 +449,14 @@ Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal) {
 
 Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
                  unsigned threads, simd::InstructionSet set)
-    : rays_(rays),
-      bundle_of_(places.size(), none),
-      charts_(patches.charts().all().size()),
-      of_charts_(places.size() * charts_, 0.0F) {
-    std::uint32_t bundles = 0;
+    : charts_(patches.charts().all().size()), of_charts_(places.size() * charts_, 0.0F) {
+    first_end_.assign(places.size() + 1, 0);
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (!places[i].left_out) bundle_of_[i] = bundles++;
-    ends_.resize(bundles * rays);
+        first_end_[i + 1] = first_end_[i] + (places[i].left_out ? 0 : (places[i].is_fine ? finer : 1) * rays);
+    ends_.resize(first_end_.back());
+    const bool any_fine = std::any_of(places.begin(), places.end(), [](const auto& place) { return place.is_fine; });
     const DirectionArrays directions(cosine_directions(rays));
+    const DirectionArrays fine(cosine_directions(any_fine ? finer * rays : 0));
     const RayCaster caster(stage);
     constexpr std::size_t together = 64;
     const std::size_t blocks = (places.size() + together - 1) / together;
@@ -469,10 +468,11 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
         Bundle bundle(stage, caster, patches, set);
         for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
             if (places[i].left_out) continue;
-            const std::span<PatchPoint> ends_of_place = std::span(ends_).subspan(bundle_of_[i] * rays, rays);
+            const std::span<PatchPoint> ends_of_place =
+                std::span(ends_).subspan(first_end_[i], first_end_[i + 1] - first_end_[i]);
             const std::size_t before = links[block].size();
             const std::size_t slopes_before = slopes[block].size();
-            bundle.make(places[i], directions, ends_of_place, links[block], slopes[block],
+            bundle.make(places[i], places[i].is_fine ? fine : directions, ends_of_place, links[block], slopes[block],
                         std::span(of_charts_).subspan(i * charts_, charts_));
             first_link_[i + 1] = static_cast<std::uint32_t>(links[block].size() - before);
             first_link_slope_[i + 1] = static_cast<std::uint32_t>(slopes[block].size() - slopes_before);
@@ -541,7 +541,7 @@ double Bundles::escaping(std::size_t place) const {
     const auto lost = std::count_if(of_place.begin(), of_place.end(), [](const PatchPoint& end) {
         return end.number() == no_patch || end.number() == back_side;
     });
-    return static_cast<double>(lost) / static_cast<double>(rays_);
+    return static_cast<double>(lost) / static_cast<double>(of_place.size());
 }
 
 glm::dvec3 Bundles::leaving(std::size_t place, std::span<const glm::dvec3> along) const {
@@ -549,7 +549,7 @@ glm::dvec3 Bundles::leaving(std::size_t place, std::span<const glm::dvec3> along
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < of_place.size(); ++i)
         if (of_place[i].number() == no_patch) sum += along[i];
-    return sum / static_cast<double>(rays_);
+    return sum / static_cast<double>(std::max<std::size_t>(of_place.size(), 1));
 }
 
 SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {

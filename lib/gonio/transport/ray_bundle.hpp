@@ -92,6 +92,7 @@ struct Receivers {
         glm::dvec3 normal{0.0};
         std::size_t own = RayEnd::nothing; // as RayCaster::cast()
         bool left_out = false;
+        bool is_fine = false; // has more rays
     };
     std::vector<Place> places;
 };
@@ -99,7 +100,8 @@ struct Receivers {
 class Bundles {
 public:
     Bundles() = default;
-    // One bundle of `rays` for each place; those left out get none.
+    // One bundle of `rays` for each place, of Bundles::finer times as many for fine ones; those left out get none.
+    static constexpr std::size_t finer = 8;
     Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
             unsigned threads, simd::InstructionSet set);
 
@@ -113,32 +115,27 @@ public:
     double of_chart(std::size_t place, std::size_t chart) const {
         return static_cast<double>(of_charts_[place * charts_ + chart]);
     }
-    std::size_t rays() const { return rays_; }
-    // The mean over the rays of what comes along those that leave the stage; `along` by ray.
+    // The mean over the rays of a place of what comes along those that leave the stage; `along` by ray.
     glm::dvec3 leaving(std::size_t place, std::span<const glm::dvec3> along) const;
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
     std::size_t memory() const {
         return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) +
                link_slopes_.size() * sizeof(LinkSlope) + of_charts_.size() * sizeof(float) +
-               bundle_of_.size() * sizeof(std::uint32_t);
+               first_end_.size() * sizeof(std::size_t);
     }
 
     // Where each ray ends, or `linked`, `no_patch` or `back_side`; empty for a place that is left out.
     std::span<const PatchPoint> ends(std::size_t place) const {
-        if (bundle_of_[place] == none) return {};
-        return std::span(ends_).subspan(bundle_of_[place] * rays_, rays_);
+        return std::span(ends_).subspan(first_end_[place], first_end_[place + 1] - first_end_[place]);
     }
     std::span<const Link> links(std::size_t place) const {
         return std::span(links_).subspan(first_link_[place], first_link_[place + 1] - first_link_[place]);
     }
 
 private:
-    static constexpr std::uint32_t none = 0xffffffffU;
-
-    std::size_t rays_ = 1;
-    std::vector<std::uint32_t> bundle_of_; // by place, or none
-    std::vector<PatchPoint> ends_;         // by bundle
+    std::vector<std::size_t> first_end_; // by place, and the end of the last
+    std::vector<PatchPoint> ends_;
     std::vector<Link> links_;
     std::size_t charts_ = 0;
     std::vector<float> of_charts_;

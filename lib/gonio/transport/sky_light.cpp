@@ -50,7 +50,6 @@ void correct(std::vector<glm::dvec3>& nt, const glm::dvec3& open_lx) {
 SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const ExchangeGeometry> geometry)
     : geometry_(std::move(geometry)), sky_(options.sky, options.threads) {
     const Bundles& bundles = geometry_->from_nodes();
-    const std::vector<glm::dvec3> directions = cosine_directions(bundles.rays());
     const Charts& charts = geometry_->patches().charts();
 
     // All rays about a flat chart's normal are the same everywhere on it.
@@ -61,11 +60,13 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
     std::vector<std::vector<glm::dvec3>> of_charts(normals.size());
     parallel_for(of_charts.size(), options.threads, [&](std::size_t i) {
         if (charts.all()[i].kind != Chart::Kind::flat) return;
-        of_charts[i] = luminance_along(sky_, directions, normals[i]);
+        of_charts[i] = luminance_along(sky_, cosine_directions(geometry_->node_rays(i)), normals[i]);
         correct(of_charts[i], open_lx[i]);
     });
 
     const std::vector<Node>& nodes = geometry_->nodes();
+    const std::vector<glm::dvec3> few = cosine_directions(geometry_->quality().node_rays); // about round charts
+    const std::vector<glm::dvec3> many = cosine_directions(Bundles::finer * geometry_->quality().node_rays);
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
@@ -74,6 +75,7 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
             if (!node.gathers()) continue;
             const int face = face_at(geometry_->stage().surfaces[node.surface].geometry, node.position);
             const std::vector<glm::dvec3>& flat = of_charts[charts.index_of(node.surface, face)];
+            const std::vector<glm::dvec3>& directions = bundles.ends(i).size() == few.size() ? few : many;
             const std::vector<glm::dvec3> round =
                 flat.empty() ? luminance_along(sky_, directions, node.normal) : std::vector<glm::dvec3>();
             const std::vector<glm::dvec3>& nt = flat.empty() ? round : flat;
