@@ -78,16 +78,6 @@ Result<void> parse_described(const Arguments& arguments, ImportRequest& request)
     return {};
 }
 
-// "cm", or "2.5cm".
-Result<Meters> parse_unit(const std::string& text) {
-    const bool has_number = !text.empty() && (text[0] == '.' || text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
-    Result<double> length = parse_amount(has_number ? text : "1" + text, Dimension::length, "--unit-scale");
-    if (!length || !(*length > 0.0))
-        return fail("USE0105", fmt::format("--unit-scale takes a unit of length, not '{}'", text),
-                    "for example cm, in or 2.5cm");
-    return Meters(*length);
-}
-
 } // namespace
 
 Result<ImportRequest> parse_import(const Arguments& arguments) {
@@ -104,7 +94,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     if (Result<void> light = parse_light(arguments, request.light); !light) return pass_on(light);
     if (Result<void> light = parse_described(arguments, request); !light) return pass_on(light);
     if (const auto text = arguments.value("--unit-scale")) {
-        Result<Meters> unit = parse_unit(*text);
+        Result<Meters> unit = parse_length_unit(*text, "--unit-scale");
         if (!unit) return pass_on(unit);
         request.unit = *unit;
         for (const Target* target : request.targets)

@@ -6,26 +6,14 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/efficacy.hpp>
 
+#include "../options/values.hpp"
+
 #include <fmt/format.h>
 
 #include <memory>
 #include <utility>
 
 namespace gonio::cli {
-
-namespace {
-
-// "cm", or "2.5cm".
-Result<Meters> parse_unit(const std::string& text) {
-    const bool has_number = !text.empty() && (text[0] == '.' || text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
-    Result<double> length = parse_amount(has_number ? text : "1" + text, Dimension::length, "--unit-scale");
-    if (!length || !(*length > 0.0))
-        return fail("USE0105", fmt::format("--unit-scale takes a unit of length, not '{}'", text),
-                    "for example cm, in or 2.5cm");
-    return Meters(*length);
-}
-
-} // namespace
 
 Result<SceneRequest> parse_scene(const Arguments& arguments) {
     SceneRequest request;
@@ -40,7 +28,7 @@ Result<SceneRequest> parse_scene(const Arguments& arguments) {
         request.format = *format;
     }
     if (const auto text = arguments.value("--unit-scale")) {
-        Result<Meters> unit = parse_unit(*text);
+        Result<Meters> unit = parse_length_unit(*text, "--unit-scale");
         if (!unit) return pass_on(unit);
         request.options.unit = *unit;
     }

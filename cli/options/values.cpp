@@ -53,6 +53,15 @@ Result<double> parse_length(std::string_view text, std::string_view what) {
     return parse_amount(text, Dimension::length, what);
 }
 
+Result<Meters> parse_length_unit(const std::string& text, std::string_view what) {
+    const bool has_number = !text.empty() && (text[0] == '.' || text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
+    Result<double> length = parse_amount(has_number ? text : "1" + text, Dimension::length, what);
+    if (!length || !(*length > 0.0))
+        return fail("USE0105", fmt::format("{} takes a unit of length, not '{}'", what, text),
+                    "for example cm, in or 2.5cm");
+    return Meters(*length);
+}
+
 Result<double> parse_factor(std::string_view text, std::string_view what) {
     const bool is_percent = text.ends_with('%');
     const std::optional<double> number = parse_number(is_percent ? text.substr(0, text.size() - 1) : text);

@@ -1,6 +1,7 @@
 // Values that several commands read from options: sizes, counts, vectors.
 #pragma once
 
+#include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/simd/dispatch.hpp>
 
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -28,6 +30,9 @@ Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what);
 
 // In metres, or with a unit: "2.8", "280cm". `what` names the value in the message.
 Result<double> parse_length(std::string_view text, std::string_view what);
+
+// The length of a unit, in metres: "cm", or "2.5cm". `what` names the option.
+Result<Meters> parse_length_unit(const std::string& text, std::string_view what);
 
 // A share: "0.8", "80%".
 Result<double> parse_factor(std::string_view text, std::string_view what);

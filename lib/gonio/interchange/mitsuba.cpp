@@ -5,6 +5,7 @@
 #include <gonio/base/limits.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/base/xml_depth.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/interchange/detail/reading.hpp>
 
@@ -81,24 +82,9 @@ private:
                            fmt::format("this is not well-formed XML: {}", parsed.description()));
     }
 
-    // Without recursion: the limit protects all other code from deep recursion.
     Result<void> check_depth(const Document& document) {
-        std::size_t depth = 0;
-        for (pugi::xml_node node = document.xml.first_child(); node;) {
-            if (depth > limit("xml-depth").value)
-                return wrong("SCN0108", node,
-                             fmt::format("elements nested deeper than {}", to_text(limit("xml-depth"))));
-            if (node.first_child()) {
-                node = node.first_child();
-                ++depth;
-                continue;
-            }
-            while (node && !node.next_sibling()) {
-                node = node.parent();
-                --depth;
-            }
-            if (node) node = node.next_sibling();
-        }
+        if (const pugi::xml_node deep = first_too_deep(document.xml))
+            return wrong("SCN0108", deep, fmt::format("elements nested deeper than {}", to_text(limit("xml-depth"))));
         return {};
     }
 

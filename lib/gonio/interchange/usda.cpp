@@ -467,7 +467,7 @@ private:
         }
         light.stated_outer = shaping.angle;
         if (shaping.focus != 0.0) {
-            only_list(light, "its focus, a power of the cosine, is no falloff of a rig");
+            only_list(light, "it has a focus, a power of the cosine, which a rig does not have");
             return {};
         }
         if (shaping.angle >= 180.0) {

@@ -1,5 +1,6 @@
 // TM-33 and related formats: XML, identified by the names of elements.
 #include <gonio/base/limits.hpp>
+#include <gonio/base/xml_depth.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
 #include <gonio/profile/parse.hpp>
@@ -14,8 +15,6 @@
 namespace gonio::profile_detail {
 
 namespace {
-
-constexpr int deepest = static_cast<int>(limit("xml-depth").value);
 
 std::string_view trimmed_text(pugi::xml_node node) {
     std::string_view text = node.child_value();
@@ -92,24 +91,10 @@ private:
         return check_depth();
     }
 
-    // Without recursion: the limit protects all other code from deep recursion.
     Result<void> check_depth() {
-        int depth = 0;
-        for (pugi::xml_node node = document_.first_child(); node;) {
-            if (depth > deepest)
-                return report_.fail("TM30107", place(node),
-                                    fmt::format("elements nested deeper than {}", to_text(limit("xml-depth"))));
-            if (node.first_child()) {
-                node = node.first_child();
-                ++depth;
-                continue;
-            }
-            while (node && !node.next_sibling()) {
-                node = node.parent();
-                --depth;
-            }
-            if (node) node = node.next_sibling();
-        }
+        if (const pugi::xml_node deep = first_too_deep(document_))
+            return report_.fail("TM30107", place(deep),
+                                fmt::format("elements nested deeper than {}", to_text(limit("xml-depth"))));
         return {};
     }
 

@@ -1,3 +1,4 @@
+#include <gonio/shader/arithmetic.hpp>
 #include <gonio/shader/evaluate.hpp>
 #include <gonio/shader/helpers.hpp>
 
@@ -10,54 +11,6 @@ namespace {
 
 template<class T>
 using Value = std::array<T, 3>;
-
-template<class T>
-T of_numbers(Operation operation, T a, T b) {
-    switch (operation) {
-    case Operation::add:
-        return a + b;
-    case Operation::subtract:
-        return a - b;
-    case Operation::multiply:
-        return a * b;
-    case Operation::divide:
-        return a / b;
-    case Operation::negate:
-        return -a;
-    case Operation::abs:
-        return std::fabs(a);
-    case Operation::sqrt:
-        return std::sqrt(a);
-    case Operation::min:
-        return a < b ? a : b;
-    case Operation::max:
-        return a > b ? a : b;
-    case Operation::floor:
-        return std::floor(a);
-    case Operation::exp2:
-        return std::exp2(a);
-    case Operation::log2:
-        return std::log2(a);
-    case Operation::less:
-        return a < b ? T(1) : T(0);
-    case Operation::less_equal:
-        return a <= b ? T(1) : T(0);
-    case Operation::greater:
-        return a > b ? T(1) : T(0);
-    case Operation::greater_equal:
-        return a >= b ? T(1) : T(0);
-    case Operation::equal:
-        return a == b ? T(1) : T(0);
-    case Operation::both:
-        return a != T(0) && b != T(0) ? T(1) : T(0);
-    case Operation::either:
-        return a != T(0) || b != T(0) ? T(1) : T(0);
-    case Operation::invert:
-        return a != T(0) ? T(0) : T(1);
-    default:
-        return T(0);
-    }
-}
 
 template<class T>
 T dot(const Value<T>& a, const Value<T>& b) {
@@ -116,7 +69,7 @@ Value<T> value_of(const Function& function, const Node& node, const std::vector<
         const Value<T>& b = node.argument_count() > 1 ? argument(1) : a;
         Value<T> result{};
         for (std::size_t i = 0; i < 3; ++i)
-            result[i] = of_numbers(node.operation, a[i], b[i]);
+            result[i] = of_numbers<T>(node.operation, a[i], b[i]);
         return result;
     }
     }
@@ -126,10 +79,9 @@ Value<T> value_of(const Function& function, const Node& node, const std::vector<
 
 template<class T>
 std::array<T, 3> evaluate(const Function& function, std::span<const T> inputs) {
-    const std::vector<bool> live = live_nodes(function);
-    std::vector<Value<T>> values(live.size());
-    for (std::size_t id = 0; id < live.size(); ++id)
-        if (live[id]) values[id] = value_of(function, function.graph.nodes()[id], values, inputs);
+    std::vector<Value<T>> values(function.graph.nodes().size());
+    for (const NodeId id : printing_order(function))
+        values[id] = value_of(function, function.graph[id], values, inputs);
     for (const Stage& stage : function.stages)
         if (stage.condition == no_node || values[stage.condition][0] != T(0)) return values[stage.value];
     return {};

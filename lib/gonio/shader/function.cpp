@@ -1,5 +1,7 @@
 #include <gonio/shader/function.hpp>
 
+#include <algorithm>
+
 namespace gonio::shader {
 
 namespace {
@@ -73,28 +75,10 @@ void Function::join_stages() {
 }
 
 void Function::mark_unused_parameters() {
-    const std::vector<bool> live = live_nodes(*this);
     for (Parameter& parameter : parameters)
         parameter.is_used = false;
-    for (std::size_t id = 0; id < live.size(); ++id) {
-        const Node& node = graph.nodes()[id];
-        if (live[id] && node.operation == Operation::parameter) parameters[node.index].is_used = true;
-    }
-}
-
-std::vector<bool> live_nodes(const Function& function) {
-    std::vector<bool> live(function.graph.nodes().size(), false);
-    for (const Stage& stage : function.stages) {
-        if (stage.condition != no_node) live[stage.condition] = true;
-        live[stage.value] = true;
-    }
-    for (std::size_t id = live.size(); id-- > 0;) {
-        if (!live[id]) continue;
-        const Node& node = function.graph.nodes()[id];
-        for (std::size_t k = 0; k < node.argument_count(); ++k)
-            live[node.arguments[k]] = true;
-    }
-    return live;
+    for (const NodeId id : printing_order(*this))
+        if (graph[id].operation == Operation::parameter) parameters[graph[id].index].is_used = true;
 }
 
 std::vector<NodeId> printing_order(const Function& function) {
@@ -131,12 +115,9 @@ std::vector<NodeId> printing_order(const Function& function) {
 }
 
 std::size_t operation_count(const Function& function) {
-    const std::vector<bool> live = live_nodes(function);
-    std::size_t count = 0;
-    for (std::size_t id = 0; id < live.size(); ++id) {
-        if (live[id] && function.graph.nodes()[id].operation > Operation::pack) ++count;
-    }
-    return count;
+    const std::vector<NodeId> needed = printing_order(function);
+    return static_cast<std::size_t>(std::count_if(
+        needed.begin(), needed.end(), [&](NodeId id) { return function.graph[id].operation > Operation::pack; }));
 }
 
 } // namespace gonio::shader

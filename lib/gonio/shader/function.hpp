@@ -60,10 +60,8 @@ private:
     void label_node(std::string_view as, NodeId node, std::string_view note);
 };
 
-// The nodes that the result needs, by their id.
-std::vector<bool> live_nodes(const Function& function);
-// The same, each after those that it needs, in an order that the expressions alone decide: compilers record the two
-// sides of an operator in different orders.
+// The nodes that the result needs, each after those that it needs, in an order that the expressions alone decide:
+// compilers record the two sides of an operator in different orders.
 std::vector<NodeId> printing_order(const Function& function);
 // How many of them compute something: no constant, parameter, component or pack of three scalars.
 std::size_t operation_count(const Function& function);

@@ -1,3 +1,4 @@
+#include <gonio/shader/arithmetic.hpp>
 #include <gonio/shader/graph.hpp>
 
 #include <cmath>
@@ -50,38 +51,6 @@ static_assert(are_in_order());
 bool is_power_of_two(double x) {
     int exponent = 0;
     return std::isfinite(x) && std::fabs(std::frexp(x, &exponent)) == 0.5;
-}
-
-double evaluated(Operation operation, double a, double b) {
-    switch (operation) {
-    case Operation::add:
-        return a + b;
-    case Operation::subtract:
-        return a - b;
-    case Operation::multiply:
-        return a * b;
-    case Operation::divide:
-        return a / b;
-    case Operation::min:
-        return a < b ? a : b;
-    default:
-        return a > b ? a : b;
-    }
-}
-
-bool compared(Operation operation, double a, double b) {
-    switch (operation) {
-    case Operation::less:
-        return a < b;
-    case Operation::less_equal:
-        return a <= b;
-    case Operation::greater:
-        return a > b;
-    case Operation::greater_equal:
-        return a >= b;
-    default:
-        return a == b;
-    }
 }
 
 bool is_comparison(Operation operation) {
@@ -272,18 +241,9 @@ NodeId Graph::unary(Operation operation, NodeId a) {
     if (operation == Operation::abs && is_never_negative(a)) return a;
     if (operation == Operation::abs && node.operation == Operation::negate)
         return unary(Operation::abs, node.arguments[0]);
-    if (is_constant(a)) {
-        switch (operation) {
-        case Operation::abs:
-            return constant(std::fabs(node.number));
-        case Operation::sqrt:
-            return constant(std::sqrt(node.number));
-        case Operation::floor:
-            return constant(std::floor(node.number));
-        default:
-            break;
-        }
-    }
+    if (is_constant(a) &&
+        (operation == Operation::abs || operation == Operation::sqrt || operation == Operation::floor))
+        return constant(of_numbers(operation, node.number, node.number));
     return add({operation, node.type, 0, {a, no_node, no_node}, 0.0});
 }
 
@@ -294,8 +254,8 @@ NodeId Graph::binary(Operation operation, NodeId a, NodeId b) {
     if (is_constant(a) && is_constant(b) && !is_scale) {
         const double x = nodes_[a].number;
         const double y = nodes_[b].number;
-        if (is_comparison(operation)) return truth(compared(operation, x, y));
-        return constant(evaluated(operation, x, y));
+        if (is_comparison(operation)) return truth(of_numbers(operation, x, y) != 0.0);
+        return constant(of_numbers(operation, x, y));
     }
     if (is_comparison(operation)) return add({operation, Type::mask, 0, {a, b, no_node}, 0.0});
     if (operation == Operation::dot && a == b && nodes_[a].operation == Operation::parameter && nodes_[a].number != 0.0)

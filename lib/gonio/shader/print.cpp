@@ -97,16 +97,14 @@ public:
     FunctionPrinter(const Function& function, const Words& words)
         : function_(function),
           words_(words),
-          live_(live_nodes(function)),
           order_(printing_order(function)),
-          uses_(live_.size(), 0),
-          texts_(live_.size()),
-          is_done_(live_.size(), false) {
+          uses_(function.graph.nodes().size(), 0),
+          texts_(uses_.size()),
+          is_done_(uses_.size(), false) {
         for (const Parameter& parameter : function.parameters)
             taken_.insert(std::string(parameter.name));
-        for (std::size_t id = 0; id < live_.size(); ++id) {
-            if (!live_[id]) continue;
-            const Node& node = function.graph.nodes()[id];
+        for (const NodeId id : order_) {
+            const Node& node = function.graph[id];
             for (std::size_t k = 0; k < node.argument_count(); ++k)
                 ++uses_[node.arguments[k]];
         }
@@ -155,7 +153,7 @@ private:
 
     // The nodes that any of `roots` needs.
     std::vector<bool> needed_by(const std::vector<NodeId>& roots) const {
-        std::vector<bool> needed(live_.size(), false);
+        std::vector<bool> needed(uses_.size(), false);
         for (const NodeId root : roots)
             if (root != no_node) needed[root] = true;
         for (std::size_t id = needed.size(); id-- > 0;) {
@@ -399,7 +397,6 @@ private:
 
     const Function& function_;
     const Words& words_;
-    std::vector<bool> live_;
     std::vector<NodeId> order_;
     std::vector<unsigned> uses_;
     std::vector<Text> texts_;

@@ -202,17 +202,12 @@ std::vector<glm::dvec3> Interreflection::finely_to_nodes(unsigned threads) const
     const std::vector<detail::Node>& nodes = geometry_->nodes();
     const detail::Bundles& bundles = geometry_->from_nodes();
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
-    const detail::DirectionArrays directions(detail::cosine_directions(geometry_->quality().node_rays));
-    const detail::DirectionArrays fine(
-        detail::cosine_directions(detail::Bundles::finer * geometry_->quality().node_rays));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
             if (!nodes[i].gathers()) continue;
             lx[i] = bundles.gathered(i, *slopes_);
-            if (!thrown_->empty())
-                lx[i] += thrown_->gathered(bundles, i, {nodes[i].position, nodes[i].normal},
-                                           bundles.ends(i).size() == directions.size() ? directions : fine);
+            if (!thrown_->empty()) lx[i] += thrown_->gathered(bundles, i, {nodes[i].position, nodes[i].normal});
         }
     });
     return lx;
@@ -334,8 +329,7 @@ glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& nor
     const detail::Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1,
                                  instruction_set_);
     glm::dvec3 lx = bundle.gathered(0, sent_) + bundle.gathered(0, *slopes_);
-    if (!thrown_->empty())
-        lx += thrown_->gathered(bundle, 0, place, detail::DirectionArrays(detail::cosine_directions(receiver_rays_)));
+    if (!thrown_->empty()) lx += thrown_->gathered(bundle, 0, place);
     return lx;
 }
 

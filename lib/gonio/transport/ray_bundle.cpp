@@ -455,8 +455,8 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
         first_end_[i + 1] = first_end_[i] + (places[i].left_out ? 0 : (places[i].is_fine ? finer : 1) * rays);
     ends_.resize(first_end_.back());
     const bool any_fine = std::any_of(places.begin(), places.end(), [](const auto& place) { return place.is_fine; });
-    const DirectionArrays directions(cosine_directions(rays));
-    const DirectionArrays fine(cosine_directions(any_fine ? finer * rays : 0));
+    few_ = DirectionArrays(cosine_directions(rays));
+    if (any_fine) many_ = DirectionArrays(cosine_directions(finer * rays));
     const RayCaster caster(stage);
     constexpr std::size_t together = 64;
     const std::size_t blocks = (places.size() + together - 1) / together;
@@ -472,7 +472,7 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
                 std::span(ends_).subspan(first_end_[i], first_end_[i + 1] - first_end_[i]);
             const std::size_t before = links[block].size();
             const std::size_t slopes_before = slopes[block].size();
-            bundle.make(places[i], places[i].is_fine ? fine : directions, ends_of_place, links[block], slopes[block],
+            bundle.make(places[i], directions(i), ends_of_place, links[block], slopes[block],
                         std::span(of_charts_).subspan(i * charts_, charts_));
             first_link_[i + 1] = static_cast<std::uint32_t>(links[block].size() - before);
             first_link_slope_[i + 1] = static_cast<std::uint32_t>(slopes[block].size() - slopes_before);

@@ -125,6 +125,10 @@ public:
                first_end_.size() * sizeof(std::size_t);
     }
 
+    // Of the rays of a place that has any, about the axes of frame_about() its normal.
+    const DirectionArrays& directions(std::size_t place) const {
+        return ends(place).size() == few_.size() ? few_ : many_;
+    }
     // Where each ray ends, or `linked`, `no_patch` or `back_side`; empty for a place that is left out.
     std::span<const PatchPoint> ends(std::size_t place) const {
         return std::span(ends_).subspan(first_end_[place], first_end_[place + 1] - first_end_[place]);
@@ -134,6 +138,7 @@ public:
     }
 
 private:
+    DirectionArrays few_, many_;         // of fine places: many
     std::vector<std::size_t> first_end_; // by place, and the end of the last
     std::vector<PatchPoint> ends_;
     std::vector<Link> links_;

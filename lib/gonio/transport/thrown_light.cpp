@@ -202,13 +202,13 @@ glm::vec3 ThrownLight::along(const PatchMean& around, const glm::vec3& direction
     return sum;
 }
 
-glm::dvec3 ThrownLight::gathered(const Bundles& bundles, std::size_t place, const Receivers::Place& at,
-                                 const DirectionArrays& directions) const {
+glm::dvec3 ThrownLight::gathered(const Bundles& bundles, std::size_t place, const Receivers::Place& at) const {
     const Frame frame = frame_about(at.position, at.normal);
     const glm::vec3 x(frame.x);
     const glm::vec3 y(frame.y);
     const glm::vec3 z(frame.z);
     const std::span<const PatchPoint> ends = bundles.ends(place);
+    const DirectionArrays& directions = bundles.directions(place);
     // Between rays the direction changes by √(π/n), and the point that they meet with it. Every other ray is enough for
     // wide lobes.
     const auto count = static_cast<float>(ends.size());

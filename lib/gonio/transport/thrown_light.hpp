@@ -65,8 +65,7 @@ public:
     glm::vec3 along(const PatchMean& around, const glm::vec3& direction, float between_rays) const;
 
     // The illuminance that a place gathers of it by its rays and links.
-    glm::dvec3 gathered(const Bundles& bundles, std::size_t place, const Receivers::Place& at,
-                        const DirectionArrays& directions) const;
+    glm::dvec3 gathered(const Bundles& bundles, std::size_t place, const Receivers::Place& at) const;
 
     std::size_t memory() const;
 
