@@ -26,9 +26,7 @@ public:
     std::vector<NodeValue> field_of(std::span<const glm::dvec3> gathered) const;
 
     // How many rays each node of a chart has.
-    std::size_t node_rays(std::size_t chart) const {
-        return (patches_.is_slight(chart) ? Bundles::finer : 1) * quality_.node_rays;
-    }
+    std::size_t node_rays(std::size_t chart) const { return patches_.ray_factor(chart) * quality_.node_rays; }
     const Bundles& from_cells() const { return from_cells_; }
     const Bundles& from_nodes() const { return from_nodes_; }
     // The share of a cell's rays that meet no patch.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double least_columns = 6.0;      // around the smallest solid
 constexpr double patches_per_radius = 5.0; // of a sphere, so that the edge of its dark side is in the right place
-constexpr double patches_beside = 9.0;     // per radius, if another solid is closer to it than its radius
+constexpr double patches_beside = 12.0;    // per radius, if another solid is closer to it than its radius
 constexpr double patches_of_figure = 2.0;  // per radius of each of its fifteen limbs
 constexpr std::uint32_t cell_side = 2;     // patches
 constexpr double small = 6.0;              // squares; no rays miss parts of larger solids,
@@ -298,7 +298,10 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
     const auto* const capsule = std::get_if<Capsule>(&geometry);
     const bool is_thin = capsule != nullptr && capsule->radius < thin * square_m_;
     const bool is_small = radius_m < small * square_m_ || is_thin;
-    is_slight_.push_back(is_thin || (is_small && panel != nullptr) ? 1 : 0);
+    const bool is_crowded = chart.kind == Chart::Kind::round && is_beside_another(stage, chart);
+    ray_factor_.push_back(is_thin || (is_small && panel != nullptr) ? rays_of_slight
+                          : is_crowded                              ? rays_of_crowded
+                                                                    : 1);
     for (std::uint32_t row = 0; row < grid.rows; row += cell_side)
         for (std::uint32_t column = 0; column < grid.columns; column += cell_side) {
             const std::uint32_t end_row = std::min(row + cell_side, grid.rows);

@@ -132,8 +132,11 @@ public:
     glm::dvec3 nearest(std::uint32_t patch, const glm::dvec3& to) const;
     // Of a small one-sided surface, which rays would miss: links carry all that it sends.
     bool is_on_sheet(std::uint32_t patch) const;
-    // A small sheet, or a thin pole: it sees what is bright at grazing angles, or half of it.
-    bool is_slight(std::size_t chart) const { return is_slight_[chart] != 0; }
+    // Points of a chart gather light with this many times the rays of others: of a small sheet or a thin pole, which
+    // sees what is bright at grazing angles, or half of it; and of what is round and stands close to another solid.
+    static constexpr std::size_t rays_of_slight = 8;
+    static constexpr std::size_t rays_of_crowded = 2;
+    std::size_t ray_factor(std::size_t chart) const { return ray_factor_[chart]; }
     bool has_moments() const; // whether any cell is_uneven()
     // The mean over a patch of cos θ towards a unit direction, 0 where it faces away. Of a round one, around its axis.
     double mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const;
@@ -157,7 +160,7 @@ private:
     double square_m_ = 0.0;
     double coarseness_ = 1.0;
     std::vector<PatchGrid> grids_;
-    std::vector<std::uint8_t> is_slight_; // by chart
+    std::vector<std::size_t> ray_factor_; // by chart
     std::vector<std::uint32_t> cell_of_;  // by patch
     std::vector<std::uint32_t> surface_of_;
     std::vector<std::uint32_t> chart_of_;

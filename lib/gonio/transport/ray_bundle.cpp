@@ -15,9 +15,11 @@ namespace {
 // A link stands for a part of a surface that is at least as many of its half diagonals away. A cell that is closer is
 // divided into its patches, and rays meet those that are still closer.
 constexpr double least_of_cell = 8.0;
-constexpr double least_of_round_cell = 16.0; // it is bright on one side, which is not the side that all see
+constexpr double least_of_round_cell = 24.0; // it is bright on one side, which is not the side that all see
 constexpr double least_of_patch = 5.0;
 constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
+// The same for places on what is slight: a ray for each part says whether it is seen past a pole.
+constexpr double least_of_part_for_slight = 16.0;
 constexpr int deepest_part = 8;
 constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
 constexpr double most_parts = 32.0;    // of a patch along a thin solid
@@ -257,13 +259,15 @@ private:
         const double length_v = glm::length(along_v);
         // A covered part is taken to lie all over the patch.
         const double free = patches_.area_m2(patch) / (length_u * length_v);
+        const double least_of_parts =
+            place.ray_factor == Patches::rays_of_slight ? least_of_part_for_slight : least_of_part;
         parts_.assign(1, {glm::dvec2(0.5), glm::dvec2(0.5), 0});
         while (!parts_.empty()) {
             Part part = parts_.back();
             parts_.pop_back();
             const glm::dvec3 to = corners[0] + part.middle.x * along_u + part.middle.y * along_v - place.position;
             const glm::dvec2 half_m = part.half * glm::dvec2(length_u, length_v);
-            const double least_m = least_of_part * glm::length(half_m);
+            const double least_m = least_of_parts * glm::length(half_m);
             if (part.depth < deepest_part && glm::dot(to, to) < least_m * least_m) {
                 const int axis = half_m.x >= half_m.y ? 0 : 1;
                 part.half[axis] *= 0.5;
@@ -452,11 +456,14 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
     : charts_(patches.charts().all().size()), of_charts_(places.size() * charts_, 0.0F) {
     first_end_.assign(places.size() + 1, 0);
     for (std::size_t i = 0; i < places.size(); ++i)
-        first_end_[i + 1] = first_end_[i] + (places[i].left_out ? 0 : (places[i].is_fine ? finer : 1) * rays);
+        first_end_[i + 1] = first_end_[i] + (places[i].left_out ? 0 : places[i].ray_factor * rays);
     ends_.resize(first_end_.back());
-    const bool any_fine = std::any_of(places.begin(), places.end(), [](const auto& place) { return place.is_fine; });
-    few_ = DirectionArrays(cosine_directions(rays));
-    if (any_fine) many_ = DirectionArrays(cosine_directions(finer * rays));
+    std::vector<std::size_t> factors;
+    for (const Receivers::Place& place : places)
+        if (std::find(factors.begin(), factors.end(), place.ray_factor) == factors.end())
+            factors.push_back(place.ray_factor);
+    for (const std::size_t factor : factors)
+        directions_.emplace_back(cosine_directions(factor * rays));
     const RayCaster caster(stage);
     constexpr std::size_t together = 64;
     const std::size_t blocks = (places.size() + together - 1) / together;

@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -92,7 +93,7 @@ struct Receivers {
         glm::dvec3 normal{0.0};
         std::size_t own = RayEnd::nothing; // as RayCaster::cast()
         bool left_out = false;
-        bool is_fine = false; // has more rays
+        std::size_t ray_factor = 1; // times the rays of others
     };
     std::vector<Place> places;
 };
@@ -100,8 +101,7 @@ struct Receivers {
 class Bundles {
 public:
     Bundles() = default;
-    // One bundle of `rays` for each place, of Bundles::finer times as many for fine ones; those left out get none.
-    static constexpr std::size_t finer = 8;
+    // One bundle of `rays` times its factor for each place; those left out get none.
     Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
             unsigned threads, simd::InstructionSet set);
 
@@ -127,7 +127,9 @@ public:
 
     // Of the rays of a place that has any, about the axes of frame_about() its normal.
     const DirectionArrays& directions(std::size_t place) const {
-        return ends(place).size() == few_.size() ? few_ : many_;
+        const std::size_t rays = ends(place).size();
+        return *std::find_if(directions_.begin(), directions_.end(),
+                             [rays](const DirectionArrays& of) { return of.size() == rays; });
     }
     // Where each ray ends, or `linked`, `no_patch` or `back_side`; empty for a place that is left out.
     std::span<const PatchPoint> ends(std::size_t place) const {
@@ -138,8 +140,8 @@ public:
     }
 
 private:
-    DirectionArrays few_, many_;         // of fine places: many
-    std::vector<std::size_t> first_end_; // by place, and the end of the last
+    std::vector<DirectionArrays> directions_; // for each number of rays
+    std::vector<std::size_t> first_end_;      // by place, and the end of the last
     std::vector<PatchPoint> ends_;
     std::vector<Link> links_;
     std::size_t charts_ = 0;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -65,8 +66,11 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
     });
 
     const std::vector<Node>& nodes = geometry_->nodes();
-    const std::vector<glm::dvec3> few = cosine_directions(geometry_->quality().node_rays); // about round charts
-    const std::vector<glm::dvec3> many = cosine_directions(Bundles::finer * geometry_->quality().node_rays);
+    // About normals of round charts, by the factor on the number of rays.
+    std::map<std::size_t, std::vector<glm::dvec3>> about_round;
+    for (std::size_t i = 0; i < charts.all().size(); ++i)
+        if (charts.all()[i].kind == Chart::Kind::round && about_round.count(geometry_->node_rays(i)) == 0)
+            about_round[geometry_->node_rays(i)] = cosine_directions(geometry_->node_rays(i));
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
@@ -74,10 +78,11 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
             const Node& node = nodes[i];
             if (!node.gathers()) continue;
             const int face = face_at(geometry_->stage().surfaces[node.surface].geometry, node.position);
-            const std::vector<glm::dvec3>& flat = of_charts[charts.index_of(node.surface, face)];
-            const std::vector<glm::dvec3>& directions = bundles.ends(i).size() == few.size() ? few : many;
+            const std::size_t chart = charts.index_of(node.surface, face);
+            const std::vector<glm::dvec3>& flat = of_charts[chart];
             const std::vector<glm::dvec3> round =
-                flat.empty() ? luminance_along(sky_, directions, node.normal) : std::vector<glm::dvec3>();
+                flat.empty() ? luminance_along(sky_, about_round.at(geometry_->node_rays(chart)), node.normal)
+                             : std::vector<glm::dvec3>();
             const std::vector<glm::dvec3>& nt = flat.empty() ? round : flat;
             lx[i] = pi * (options.shadows == Shadows::off ? mean_of(nt) : bundles.leaving(i, nt));
         }

@@ -122,13 +122,22 @@ struct Feet {
         const glm::dvec3 to = chart.frame.to_local(center - chart.frame.origin);
         if (to.z + reach.z < 0.0) return; // behind
         const double spacing_m = std::max(0.5 * (to.z - reach.z), coarseness * patches_by_radius * size);
-        if (spacing_m >= widest_m || size < 0.25 * widest_m) return;
+        if (size < 0.25 * widest_m) {
+            if (to.z - reach.z <= touching * size) foot_of_small(to);
+            return;
+        }
+        if (spacing_m >= widest_m) return;
         pair.u.gradings.push_back({to.x - reach.x, to.x + reach.x, spacing_m});
         pair.v.gradings.push_back({to.y - reach.y, to.y + reach.y, spacing_m});
         if (std::abs(to.z - reach.z) > touching * size) return;
         const glm::dvec3 half = reach - size;
         pair.u.gradings.push_back({to.x - half.x, to.x + half.x, coarseness * patches_at_contact * size});
         pair.v.gradings.push_back({to.y - half.y, to.y + half.y, coarseness * patches_at_contact * size});
+    }
+    // Light before a pole and its shadow behind lie in patches of their own.
+    void foot_of_small(const glm::dvec3& to) const {
+        pair.u.cuts.push_back(to.x);
+        pair.v.cuts.push_back(to.y);
     }
     void operator()(const Ball& ball) const { add(ball.center, glm::dvec3(ball.radius), ball.radius); }
     void operator()(const Capsule& capsule) const {
