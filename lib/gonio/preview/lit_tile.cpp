@@ -162,7 +162,8 @@ void LitTile::add_surroundings() {
     const Interreflection* const indirect = picture_.indirect.get();
     const SkyLight* const sky = scene_.sky;
     const ExchangeGeometry& exchange = indirect != nullptr ? *indirect->geometry() : *sky->geometry();
-    ReflectedView view(exchange, indirect, sky != nullptr ? &sky->sky() : nullptr, options_.instruction_set);
+    ReflectedView view(exchange, indirect, sky != nullptr ? &sky->sky() : nullptr, scene_.surroundings,
+                       options_.instruction_set);
     NodeReader nodes(exchange);
     const NamedSurroundings* const named = scene_.named;
     const bool named_sky = named != nullptr && named->has_diffuse();

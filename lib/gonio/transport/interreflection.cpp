@@ -134,11 +134,16 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     }
     exchange.sum_up(to_the_end, options.threads);
     exchange.shown_lx_.resize(patches.count());
+    exchange.bounced_shown_lx_.resize(patches.count());
     for (std::uint32_t i = 0; i < exchange.shown_lx_.size(); ++i) {
         // A covered patch is dark, and no ray meets its covered part.
         if (!(patches.area_m2(i) > 0.0)) continue;
         exchange.shown_lx_[i] = detail::Sent(exchange.sent_[i].rgb() / static_cast<double>(patches.by_rays(i)));
         exchange.shown_lx_[i].value[3] = 1.0F;
+        const double factor = to_the_end ? 1.0 : geometry.node_factor(patches.chart_of(i));
+        exchange.bounced_shown_lx_[i] = detail::Sent(glm::max(
+            exchange.sent_[i].rgb() / static_cast<double>(patches.by_rays(i)) - factor * exchange.direct_spread_lx_[i],
+            glm::dvec3(0.0)));
     }
     return exchange;
 }
@@ -182,7 +187,7 @@ Interreflection Interreflection::times(const glm::dvec3& rgb) const {
         for (glm::dvec3& slope : node.slope)
             slope *= rgb;
     }
-    for (std::vector<detail::Sent>* const of : {&changed.sent_, &changed.shown_lx_})
+    for (std::vector<detail::Sent>* const of : {&changed.sent_, &changed.shown_lx_, &changed.bounced_shown_lx_})
         for (detail::Sent& sent : *of)
             multiply(sent);
     for (glm::dvec3* const lm : {&changed.balance_.direct_lm, &changed.balance_.indirect_lm,
@@ -310,7 +315,8 @@ glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm:
     return geometry_->around(geometry_->patches().charts().index_of(surface, face), position)(nodes_lx_);
 }
 
-glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const {
+glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards,
+                                        const glm::vec3& left_out) const {
     const Patches& patches = geometry_->patches();
     const float between_rays = fine_m / std::max(place.distance_m, 1e-6F);
     const detail::PatchMean around = patches.around(place.chart, place.u, place.v);
@@ -321,6 +327,12 @@ glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float f
     glm::vec3 sent = sum.mean();
     if (thrown_->comes_from(patches.charts().all()[place.chart].surface))
         sent += thrown_->along(around, towards, between_rays) / sum.weight();
+    if (left_out != glm::vec3(0.0F)) {
+        detail::SentSum bounced;
+        for (std::size_t i = 0; i < around.patch.size(); ++i)
+            bounced.add(around.weight[i], bounced_shown_lx_[around.patch[i]]);
+        sent -= left_out * glm::vec3(bounced.rgb()) / sum.weight();
+    }
     return std::numbers::inv_pi_v<float> * sent;
 }
 
@@ -348,7 +360,8 @@ std::size_t Interreflection::memory() const {
            (direct_lx_.size() + direct_reflected_lx_.size() + direct_spread_lx_.size() + direct_to_nodes_lx_.size()) *
                sizeof(glm::dvec3) +
            nodes_lx_.size() * sizeof(detail::NodeValue) +
-           (sent_.size() + shown_lx_.size() + 2 * (slopes_->by_rays.size() + slopes_->by_links.size())) *
+           (sent_.size() + shown_lx_.size() + bounced_shown_lx_.size() +
+            2 * (slopes_->by_rays.size() + slopes_->by_links.size())) *
                sizeof(detail::Sent) +
            thrown_->memory();
 }

@@ -72,9 +72,10 @@ public:
     glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal) const;
 
     // The luminance that a point of a chart sends along a ray to its unit direction `towards`, per channel [nt], direct
-    // light included: between the middles of patches. `fine_m`: the distance to the next ray. For the transport room
-    // itself.
-    glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const;
+    // light included: between the middles of patches. `fine_m`: the distance to the next ray. `left_out`: the share,
+    // per channel, of what bounced before that is left out. For the transport room itself.
+    glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards,
+                           const glm::vec3& left_out = glm::vec3(0.0F)) const;
     const std::shared_ptr<const detail::ExchangeGeometry>& geometry() const { return geometry_; }
     // The same illuminance by node of the geometry.
     std::span<const detail::NodeValue> nodes_lx() const;
@@ -89,6 +90,7 @@ public:
         reflectances_ = std::move(reflectances);
     }
 
+    int bounces() const { return bounces_; }
     const ExchangeBalance& balance() const { return balance_; }
     std::size_t node_count() const;
     std::size_t patch_count() const;
@@ -130,8 +132,9 @@ private:
     std::shared_ptr<const detail::SentSlopes> slopes_; // of the direct light
     std::vector<glm::dvec3> direct_to_nodes_lx_;       // of slopes and of what is thrown
     std::vector<detail::NodeValue> nodes_lx_;
-    std::vector<detail::Sent> sent_;     // what rays and links carry, by patch and then by cell [lx]
-    std::vector<detail::Sent> shown_lx_; // all that is sent, by patch
+    std::vector<detail::Sent> sent_;             // what rays and links carry, by patch and then by cell [lx]
+    std::vector<detail::Sent> shown_lx_;         // all that is sent, by patch
+    std::vector<detail::Sent> bounced_shown_lx_; // what of it bounced before
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;
     simd::InstructionSet instruction_set_ = simd::best_available();

@@ -104,6 +104,13 @@ SurroundingsReflectance::SurroundingsReflectance(const Material& of_material, bo
     const CoreMaterial core = seen_material(material, specular);
     albedo = DirectionalAlbedo(core, fine ? DirectionalAlbedo::Fineness::fine : DirectionalAlbedo::Fineness::coarse);
     lobes = lobe_rays(core, fine ? 4 : 1);
+    glm::dvec3 of_metal(0.0);
+    for (const LobeRays& lobe : lobes)
+        if (lobe.is_metal()) of_metal += lobe.albedo();
+    const glm::dvec3 whole = albedo.over_hemisphere();
+    for (int channel = 0; channel < 3; ++channel)
+        if (of_metal[channel] > 0.0)
+            by_metal[channel] = static_cast<float>(std::min(of_metal[channel] / whole[channel], 1.0));
 }
 
 bool SurroundingsReflectance::is_of(const Material& other, bool with_specular, bool is_fine) const {
@@ -129,20 +136,30 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
         diffuse_materials.push_back(constants(seen_material(surface.material, false)));
     }
     if (options.sky.is_dark() && options.bounces == 0) return;
-    const bool is_fine = !options.sky.is_dark();
+    const bool has_sky = !options.sky.is_dark();
     const std::size_t count = core_materials.size();
+    // Metals that light each other show small bright places in small bright places.
+    std::vector<std::uint8_t> is_metal(count);
+    std::size_t balls_and_boxes = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        is_metal[i] = has_metal_lobe(core_materials[i]) ? 1 : 0;
+        const Primitive& geometry = stage.surfaces[i].geometry;
+        if (is_metal[i] != 0 && (std::holds_alternative<Ball>(geometry) || std::holds_alternative<Box>(geometry)))
+            ++balls_and_boxes;
+    }
+    const auto is_fine = [&](std::size_t i) { return has_sky || (balls_and_boxes > 1 && is_metal[i] != 0); };
     surroundings.resize(count);
     std::vector<std::size_t> to_make; // of surfaces with the same material the first
     for (std::size_t i = 0; i < count; ++i) {
         const Material& material = stage.surfaces[i].material;
-        if (i < known.size() && known[i] != nullptr && known[i]->is_of(material, options.specular, is_fine))
+        if (i < known.size() && known[i] != nullptr && known[i]->is_of(material, options.specular, is_fine(i)))
             surroundings[i] = known[i];
         else if (first_with(stage, material) == i)
             to_make.push_back(i);
     }
     parallel_for(to_make.size(), options.threads, [&](std::size_t i) {
-        surroundings[to_make[i]] = std::make_shared<const SurroundingsReflectance>(stage.surfaces[to_make[i]].material,
-                                                                                   options.specular, is_fine);
+        surroundings[to_make[i]] = std::make_shared<const SurroundingsReflectance>(
+            stage.surfaces[to_make[i]].material, options.specular, is_fine(to_make[i]));
     });
     for (std::size_t i = 0; i < count; ++i)
         if (surroundings[i] == nullptr) surroundings[i] = surroundings[first_with(stage, stage.surfaces[i].material)];

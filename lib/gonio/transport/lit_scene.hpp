@@ -51,9 +51,10 @@ struct SurroundingsReflectance {
 
     Material material;
     bool specular = true;
-    bool fine = false; // for skies, which vary more than a stage
+    bool fine = false; // for skies, which vary more than a stage, and for metals among each other
     DirectionalAlbedo albedo;
     std::vector<LobeRays> lobes; // the glossy ones
+    glm::vec3 by_metal{0.0F};    // the share that lobes of metals have in the albedo, per channel
 };
 using SurroundingsReflectances = std::vector<std::shared_ptr<const SurroundingsReflectance>>; // by surface
 

@@ -33,10 +33,15 @@ std::pair<double, double> point_of(std::size_t i, std::size_t count) {
     return {fraction_of(i, 1.0 / g), fraction_of(i, 1.0 / (g * g))};
 }
 
+constexpr double least_of_metal = 0.15; // of what a lobe reflects at normal incidence
+
+bool is_of_metal(const glm::dvec3& reflectance) {
+    return std::max({reflectance.x, reflectance.y, reflectance.z}) > least_of_metal;
+}
+
 // More for wide lobes, which see more of the stage, and for metals, which show little else.
-std::size_t rays_for(double alpha, double reflectance, std::size_t more) {
+std::size_t rays_for(double alpha, bool is_metal, std::size_t more) {
     std::size_t rays = alpha <= 0.003 ? 1 : alpha <= 0.02 ? 4 : 8;
-    const bool is_metal = reflectance > 0.15;
     if (is_metal) rays *= alpha > 0.02 ? 4 : 2;
     if (alpha > 0.003) rays *= more;
     // Where more are needed, dark and bright meet inside wide lobes, and a metal has no diffuse part to hide it.
@@ -89,6 +94,27 @@ Place place_of(double cosine) {
     return {node, at - static_cast<double>(node)};
 }
 
+// Calls `lobe(α, value)` for each glossy one.
+template<class Lobe>
+void for_each_lobe(const CoreMaterial& material, const Lobe& lobe) {
+    std::visit(
+        [&]<class Core>(const Core& core) {
+            if constexpr (std::is_same_v<Core, shading::Coated>) {
+                lobe(shading::coat_alpha(core.coat),
+                     [&](const Vec& n, const Vec& l, const Vec& v) { return shading::coat_part(core, n, l, v); });
+                const double alpha = std::visit([](const auto& base) { return shading::lobe_alpha(base); }, core.base);
+                lobe(alpha, [&](const Vec& n, const Vec& l, const Vec& v) {
+                    return shading::base_specular_part(core, n, l, v);
+                });
+            } else if constexpr (Core::lobe != shading::LobeKind::none) {
+                lobe(shading::lobe_alpha(core), [&](const Vec& n, const Vec& l, const Vec& v) {
+                    return shading::specular_part(core, n, l, v, 0.0);
+                });
+            }
+        },
+        material);
+}
+
 } // namespace
 
 template<class Value>
@@ -96,7 +122,8 @@ LobeRays::LobeRays(double alpha, const Value& value, std::size_t more) : alpha_(
     const glm::dvec3 reflectance = sampled(value, alpha, 1.0, many).sum;
     const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
     if (!(sampled(value, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
-    rays_ = rays_for(alpha, most, more);
+    is_metal_ = is_of_metal(reflectance);
+    rays_ = rays_for(alpha, is_metal_, more);
     for (std::size_t node = 0; node < nodes; ++node) {
         const glm::dvec3 albedo = sampled(value, alpha, cosine_of(node), many).sum;
         Sampled few = sampled(value, alpha, cosine_of(node), rays_);
@@ -111,27 +138,19 @@ LobeRays::LobeRays(double alpha, const Value& value, std::size_t more) : alpha_(
 
 std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more) {
     std::vector<LobeRays> lobes;
-    const auto add = [&](double alpha, const auto& value) {
+    for_each_lobe(material, [&](double alpha, const auto& value) {
         LobeRays lobe(alpha, value, more);
         if (!lobe.empty()) lobes.push_back(std::move(lobe));
-    };
-    std::visit(
-        [&]<class Core>(const Core& core) {
-            if constexpr (std::is_same_v<Core, shading::Coated>) {
-                add(shading::coat_alpha(core.coat),
-                    [&](const Vec& n, const Vec& l, const Vec& v) { return shading::coat_part(core, n, l, v); });
-                const double alpha = std::visit([](const auto& base) { return shading::lobe_alpha(base); }, core.base);
-                add(alpha, [&](const Vec& n, const Vec& l, const Vec& v) {
-                    return shading::base_specular_part(core, n, l, v);
-                });
-            } else if constexpr (Core::lobe != shading::LobeKind::none) {
-                add(shading::lobe_alpha(core), [&](const Vec& n, const Vec& l, const Vec& v) {
-                    return shading::specular_part(core, n, l, v, 0.0);
-                });
-            }
-        },
-        material);
+    });
     return lobes;
+}
+
+bool has_metal_lobe(const CoreMaterial& material) {
+    bool found = false;
+    for_each_lobe(material, [&](double alpha, const auto& value) {
+        found = found || is_of_metal(sampled(value, alpha, 1.0, many).sum);
+    });
+    return found;
 }
 
 LobeRays::View LobeRays::view(double cosine) const {
@@ -157,6 +176,14 @@ glm::dvec3 LobeRays::albedo(double cosine) const {
     if (empty()) return glm::dvec3(0.0);
     const Place place = place_of(cosine);
     return (1.0 - place.share) * albedo_[place.node] + place.share * albedo_[place.node + 1];
+}
+
+glm::dvec3 LobeRays::albedo() const {
+    glm::dvec3 sum(0.0);
+    constexpr int steps = 64; // over the squares of cosines, in which the hemisphere is even
+    for (int i = 0; i < steps; ++i)
+        sum += albedo(std::sqrt((i + 0.5) / steps));
+    return sum / static_cast<double>(steps);
 }
 
 } // namespace gonio::detail

@@ -28,6 +28,7 @@ public:
     LobeRays(double alpha, const Value& value, std::size_t more);
 
     bool empty() const { return rays_ == 0; }
+    bool is_metal() const { return is_metal_; } // reflects much at every angle
     std::size_t count() const { return rays_; } // for each view
     double alpha() const { return alpha_; }     // of GGX
 
@@ -42,10 +43,13 @@ public:
     LobeRay ray(const View& view, std::size_t index) const;
     // The directional albedo of the lobe alone, per channel.
     glm::dvec3 albedo(double cosine) const;
+    // Over both hemispheres.
+    glm::dvec3 albedo() const;
 
 private:
     std::size_t rays_ = 0;
     double alpha_ = 0.0;
+    bool is_metal_ = false;
     // Of each ray the normal of the facet that reflects it, instead of its direction, which changes faster with the
     // view; [node][ray], at the cosines (i/(n−1))².
     std::vector<LobeRay> table_;
@@ -55,5 +59,8 @@ private:
 // The lobes of a material that are not black: none, one, or that of a coat and the one below it.
 // `more` times as many rays: for skies, whose brightest parts lie beside the dark bodies that hide them.
 std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more = 1);
+
+// Whether any of them is_metal().
+bool has_metal_lobe(const CoreMaterial& material);
 
 } // namespace gonio::detail

@@ -10,8 +10,9 @@ namespace gonio::detail {
 
 namespace {
 
-constexpr std::size_t together = 4096; // rays that are cast at once
-constexpr std::size_t least_rays = 8;  // of a lobe that is wide enough for squares
+constexpr std::size_t together = 4096;   // rays that are cast at once
+constexpr std::size_t least_rays = 8;    // of a lobe that is wide enough for squares
+constexpr std::size_t least_beyond = 16; // rays of a second lobe, for all of a first
 
 // How far apart the ends of a square's rays may lie: over the distance between the rays of a lobe, and over the size of
 // a patch. What round surfaces send back bends more.
@@ -25,8 +26,15 @@ constexpr Reach on_round{0.5F, 1.0F};
 } // namespace
 
 ReflectedView::ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const BlurredSky* sky,
-                             simd::InstructionSet set)
-    : geometry_(geometry), indirect_(indirect), sky_(sky), caster_(geometry.stage(), geometry.patches(), set) {
+                             const SurroundingsReflectances& surfaces, simd::InstructionSet set)
+    : geometry_(geometry),
+      indirect_(indirect),
+      sky_(sky),
+      surfaces_(surfaces),
+      caster_(geometry.stage(), geometry.patches(), set) {
+    if (indirect != nullptr && indirect->bounces() == all_bounces)
+        has_metals_ = std::any_of(surfaces.begin(), surfaces.end(),
+                                  [](const auto& surface) { return surface->by_metal != glm::vec3(0.0F); });
     for (const Chart& chart : geometry.patches().charts().all()) {
         const bool is_round = chart.kind == Chart::Kind::round;
         width_m_.push_back(static_cast<float>(
@@ -37,9 +45,13 @@ ReflectedView::ReflectedView(const ExchangeGeometry& geometry, const Interreflec
 
 ReflectedView::Mirror ReflectedView::mirror(const SurfaceSamples& samples, std::size_t sample,
                                             const LobeRays& lobe) const {
+    return mirror(samples.position_of(sample) - samples.anchor, glm::normalize(samples.normal_of(sample)),
+                  samples.view_of(sample), lobe);
+}
+
+ReflectedView::Mirror ReflectedView::mirror(const glm::dvec3& from_anchor, const glm::dvec3& normal,
+                                            const glm::dvec3& view, const LobeRays& lobe) const {
     Mirror mirror;
-    const glm::dvec3 normal = glm::normalize(samples.normal_of(sample));
-    const glm::dvec3 view = samples.view_of(sample);
     const double cosine = glm::dot(normal, view);
     if (!(cosine > 0.0)) return mirror;
     mirror.is_seen = true;
@@ -50,11 +62,11 @@ ReflectedView::Mirror ReflectedView::mirror(const SurfaceSamples& samples, std::
     mirror.z = glm::vec3(normal);
     mirror.y = glm::cross(mirror.z, mirror.x);
     const double lift_m = Patches::lift(geometry_.patches().square_m());
-    mirror.origin = glm::vec3(samples.position_of(sample) - samples.anchor + lift_m * normal);
+    mirror.origin = glm::vec3(from_anchor + lift_m * normal);
     return mirror;
 }
 
-void ReflectedView::add(const Mirror& mirror, const LobeRay& ray, std::uint32_t of) {
+void ReflectedView::add(const Mirror& mirror, const LobeRay& ray, std::uint32_t of, std::size_t index) {
     if (ray.weight == glm::vec3(0.0F)) return;
     const glm::vec3 direction = ray.direction.x * mirror.x + ray.direction.y * mirror.y + ray.direction.z * mirror.z;
     for (int axis = 0; axis < 3; ++axis) {
@@ -64,6 +76,70 @@ void ReflectedView::add(const Mirror& mirror, const LobeRay& ray, std::uint32_t 
     weight_.push_back(ray.weight);
     ray_width_.push_back(ray.width);
     of_.push_back(of);
+    index_.push_back(static_cast<std::uint32_t>(index));
+}
+
+void ReflectedView::clear_rays() {
+    for (auto* const axes : {&origin_, &direction_})
+        for (std::vector<float>& axis : *axes)
+            axis.clear();
+    weight_.clear();
+    ray_width_.clear();
+    of_.clear();
+    index_.clear();
+}
+
+// What a ray shows of the surface that it met, without what it will show beyond that.
+glm::vec3 ReflectedView::seen_at(std::size_t ray, float between_m, const glm::vec3& weight, bool goes_on) {
+    const PatchPlace& end = ends_[ray];
+    const glm::vec3 direction(direction_[0][ray], direction_[1][ray], direction_[2][ray]);
+    const Chart& chart = geometry_.patches().charts().all()[end.chart];
+    const glm::vec3 by_metal = goes_on && has_metals_ ? surfaces_[chart.surface]->by_metal : glm::vec3(0.0F);
+    if (by_metal != glm::vec3(0.0F)) {
+        const glm::dvec2 at(end.u, end.v);
+        on_metal_.push_back({static_cast<std::uint32_t>(chart.surface), chart.position(at), chart.normal(at),
+                             -glm::normalize(glm::dvec3(direction)), weight, ray_width_[ray], of_[ray], index_[ray]});
+    }
+    return indirect_->luminance_at(end, between_m, -direction, by_metal);
+}
+
+// Casts the rays that metals send on, and adds what each shows.
+void ReflectedView::go_on(const glm::dvec3& anchor, std::vector<Shown>& shown) {
+    std::vector<OnMetal> from;
+    std::swap(from, on_metal_);
+    // Rays from one surface are cast together.
+    std::stable_sort(from.begin(), from.end(),
+                     [](const OnMetal& a, const OnMetal& b) { return a.surface < b.surface; });
+    for (std::size_t i = 0; i < from.size();) {
+        const std::uint32_t surface = from[i].surface;
+        for (; i < from.size() && from[i].surface == surface; ++i)
+            for (const LobeRays& lobe : surfaces_[surface]->lobes)
+                if (lobe.is_metal()) add(anchor, from[i], lobe);
+        if (of_.empty()) continue;
+        caster_.cast(anchor, geometry_.own(surface), origin_, direction_, of_.size(), ends_);
+        for (std::size_t ray = 0; ray < of_.size(); ++ray)
+            if (ends_[ray].chart != no_patch && ends_[ray].chart != back_side)
+                shown[of_[ray]].nt +=
+                    weight_[ray] * seen_at(ray, ray_width_[ray] * ends_[ray].distance_m, weight_[ray], false);
+        clear_rays();
+    }
+}
+
+// Some rays of the lobe of a metal that another ray met.
+void ReflectedView::add(const glm::dvec3& anchor, const OnMetal& at, const LobeRays& lobe) {
+    const Mirror of_metal = mirror(at.position - anchor, at.normal, at.view, lobe);
+    if (!of_metal.is_seen) return;
+    const std::size_t all = lobe.count();
+    const std::size_t some = std::clamp<std::size_t>(least_beyond / rays_of_lobe_, 1, all);
+    const float share = static_cast<float>(all) / static_cast<float>(some);
+    for (std::size_t k = 0; k < some; ++k) {
+        // A lattice over both lobes.
+        constexpr std::size_t stride = 13;
+        LobeRay ray = lobe.ray(of_metal.view, (at.index * stride + k * all / some) % all);
+        ray.weight *= share * at.weight;
+        ray.width = std::max(at.width, ray.width * std::sqrt(share / static_cast<float>(rays_of_lobe_)));
+        add(of_metal, ray, at.of, at.index);
+    }
 }
 
 // Casts the rays that were added, and adds what each shows.
@@ -87,14 +163,10 @@ void ReflectedView::cast(const SurfaceSamples& samples, std::vector<Shown>& show
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
         of.kept += weight;
-        if (indirect_ != nullptr) of.nt += weight * indirect_->luminance_at(ends_[i], between_m, -direction);
+        if (indirect_ != nullptr) of.nt += weight * seen_at(i, between_m, weight, true);
     }
-    for (auto* const axes : {&origin_, &direction_})
-        for (std::vector<float>& axis : *axes)
-            axis.clear();
-    weight_.clear();
-    ray_width_.clear();
-    of_.clear();
+    clear_rays();
+    go_on(samples.anchor, shown);
 }
 
 // Whether what a ray of the lobe shows changes little between these corners.
@@ -129,7 +201,7 @@ void ReflectedView::cast_at_corners(const SampleSquares& squares, const LobeRays
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
         const Mirror at = mirror(corners, corner, lobe);
         for (std::size_t ray = 0; at.is_seen && ray < rays; ++ray)
-            add(at, lobe.ray(at.view, ray), static_cast<std::uint32_t>(corner * rays + ray));
+            add(at, lobe.ray(at.view, ray), static_cast<std::uint32_t>(corner * rays + ray), ray);
         if (of_.size() >= together) cast(corners, at_corners_, &corner_ends_);
     }
     cast(corners, at_corners_, &corner_ends_);
@@ -153,6 +225,7 @@ void ReflectedView::cast_at_corners(const SampleSquares& squares, const LobeRays
 const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, const SampleSquares& squares,
                                                        const LobeRays& lobe) {
     const bool has_squares = lobe.count() >= least_rays && !squares.squares.empty();
+    rays_of_lobe_ = lobe.count();
     if (has_squares) cast_at_corners(squares, lobe);
     shown_.assign(samples.size(), {});
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -161,7 +234,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         if (within.square == SampleSquares::none) {
             const Mirror at = mirror(samples, i, lobe);
             for (std::size_t ray = 0; at.is_seen && ray < lobe.count(); ++ray)
-                add(at, lobe.ray(at.view, ray), of);
+                add(at, lobe.ray(at.view, ray), of, ray);
         } else {
             const std::array<Shown, 4>& corners = between_[within.square];
             shown_[i].add((1.0F - within.u) * (1.0F - within.v), corners[0]);
@@ -173,7 +246,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
             if (first < last) {
                 const Mirror at = mirror(samples, i, lobe);
                 for (std::size_t ray = first; at.is_seen && ray < last; ++ray)
-                    add(at, lobe.ray(at.view, uneven_[ray]), of);
+                    add(at, lobe.ray(at.view, uneven_[ray]), of, uneven_[ray]);
             }
         }
         if (of_.size() >= together) cast(samples, shown_, nullptr);

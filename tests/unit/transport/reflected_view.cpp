@@ -1,6 +1,7 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/lit_scene.hpp>
 #include <gonio/transport/lobe_rays.hpp>
 #include <gonio/transport/reflected_view.hpp>
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace gonio::detail {
@@ -47,6 +49,13 @@ struct Floor {
     SampleSquares squares;
 };
 
+SurroundingsReflectances reflectances_of(const Stage& stage) {
+    SurroundingsReflectances all;
+    for (const Surface& surface : stage.surfaces)
+        all.push_back(std::make_shared<const SurroundingsReflectance>(surface.material, true, false));
+    return all;
+}
+
 // Beside a box, whose image has an edge.
 TEST(ReflectedView, InterpolatesWhatChangesLittle) {
     const Stage stage = make_stage("room").value();
@@ -56,7 +65,8 @@ TEST(ReflectedView, InterpolatesWhatChangesLittle) {
     const Interreflection indirect = Interreflection::of(stage, lights, options).value();
     const Floor floor(stage.camera.position);
     for (const LobeRays& lobe : lobe_rays(core_material(stage.surfaces.front().material))) {
-        ReflectedView view(*indirect.geometry(), &indirect, nullptr, options.instruction_set);
+        const SurroundingsReflectances surfaces = reflectances_of(stage);
+        ReflectedView view(*indirect.geometry(), &indirect, nullptr, surfaces, options.instruction_set);
         const std::vector<glm::vec3> exact = view.luminance(floor.samples, {}, lobe);
         const std::vector<glm::vec3> found = view.luminance(floor.samples, floor.squares, lobe);
         double mean = 0.0;
@@ -74,6 +84,42 @@ TEST(ReflectedView, InterpolatesWhatChangesLittle) {
         EXPECT_GT(worst, 0.0);                                      // some are interpolated
         EXPECT_NEAR(found.front().y, exact.front().y, 1e-5 * mean); // a corner
     }
+}
+
+// A mirror shows a mirror, which shows a lit wall.
+TEST(ReflectedView, GoesOnFromMetals) {
+    const Material mirror = GgxMaterial{glm::dvec3(0.9), 0.001};
+    const glm::dvec3 up(0.0, 0.0, 1.0);
+    const glm::dvec3 along(0.0, 1.0, 0.0);
+    Stage stage;
+    stage.surfaces = {
+        {"low", panel_facing({0.0, 0.0, 0.0}, up, along, 4.0, 4.0), mirror},
+        {"high", panel_facing({0.0, 0.0, 1.0}, -up, along, 4.0, 4.0), mirror},
+        {"wall", panel_facing({0.0, 2.0, 0.5}, {0.0, -1.0, 0.0}, up, 4.0, 1.0), LambertMaterial{glm::dvec3(0.5)}}};
+    const std::vector<Light> lights{light_of("rect:w=60cm,h=30cm", "3000lm", {0.0, 0.0, 0.9})};
+    LightingOptions options;
+    options.bounces = all_bounces;
+    const Interreflection indirect = Interreflection::of(stage, lights, options).value();
+    const SurroundingsReflectances surfaces = reflectances_of(stage);
+    ReflectedView view(*indirect.geometry(), &indirect, nullptr, surfaces, options.instruction_set);
+    const std::vector<LobeRays> lobes = lobe_rays(core_material(mirror));
+    ASSERT_EQ(lobes.size(), 1U);
+    EXPECT_TRUE(lobes.front().is_metal());
+    // What one mirror shows along a ray that leaves it for the next mirror, and what that shows of the wall.
+    const glm::dvec3 rises = glm::normalize(glm::dvec3(0.0, 1.0, 1.0));
+    const auto shown = [&](std::size_t surface, const glm::dvec3& at, const glm::dvec3& normal, const glm::dvec3& eye) {
+        SurfaceSamples one;
+        one.surface = surface;
+        one.add({at, normal, eye}, 0, 1.0, 0);
+        one.finish_chunk();
+        return view.luminance(one, {}, lobes.front()).front().y;
+    };
+    const float of_wall = shown(1, {0.0, 1.5, 1.0}, -up, -rises);
+    const float of_mirror = shown(0, {0.0, 0.5, 0.0}, up, glm::normalize(glm::dvec3(0.0, -1.0, 1.0)));
+    ASSERT_GT(of_wall, 0.0F);
+    const double albedo = lobes.front().albedo(std::sqrt(0.5)).y;
+    EXPECT_GT(albedo, 0.9);
+    EXPECT_NEAR(of_mirror / of_wall, albedo, 0.01 * albedo);
 }
 
 } // namespace
