@@ -195,6 +195,11 @@ ProfileKey profile_key(const Light& light) {
     return key;
 }
 
+// For a report.
+std::string without_profiles(const Target& target) {
+    return fmt::format("{} does not have profiles: written as a spot or a point of the same flux", target.name);
+}
+
 class SceneBuilder {
 public:
     SceneBuilder(const Target& target, const LightSceneOptions& options)
@@ -266,6 +271,12 @@ private:
         made.profile = *profile;
         made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
         return place_as(LightKind::profile, std::move(made));
+    }
+
+    // Of a light that is a profile itself.
+    Result<void> place_own_profile(const Light& light, SceneLight made) {
+        if (!target_.holds.profiles) say(light, without_profiles(target_));
+        return place_profile(light, std::move(made));
     }
 
     // Of a profile that `make` makes under a name if no light before has had it.
@@ -357,6 +368,10 @@ private:
     Result<void> place_far(const Light& light, SceneLight made, std::string_view why,
                            std::string_view what = "a point") {
         const LightImage* const image = mask_of(light.shape).image;
+        if (!target_.holds.profiles) {
+            say(light, fmt::format("{}: written as a light of the same flux", why));
+            return place_profile(light, std::move(made));
+        }
         say(light, fmt::format("{}: written as {} with the same intensity in every direction{}", why, what,
                                image != nullptr && image->is_colored() ? ", without the colours of its image" : ""));
         return place_profile(light, std::move(made));
@@ -399,7 +414,7 @@ private:
     }
 
     Result<void> place(const Light& light, const PointShape& point, SceneLight made) {
-        if (point.mask) return place_profile(light, std::move(made));
+        if (point.mask) return place_own_profile(light, std::move(made));
         if (holds(LightKind::point)) return place_as(LightKind::point, std::move(made));
         return place_profile(light, std::move(made));
     }
@@ -409,7 +424,7 @@ private:
             say(light,
                 fmt::format("its luminous opening ({}) is left out: a point, which is within 1 % from {:.2g} m on",
                             to_text(*profile.opening()), point_distance_m(*light.body, *profile.web)));
-        return place_profile(light, std::move(made));
+        return place_own_profile(light, std::move(made));
     }
     Result<void> place(const Light& light, const SpotShape& spot, SceneLight made) {
         const bool hard = spot.falloff == Falloff::hard || !(spot.inner.value < spot.outer.value);
@@ -573,7 +588,9 @@ Result<LightScene> light_scene(const Target& target, const MeasuredLight& light,
     placed.intensity = light.peak.value * scale.intensity;
     content.profiles.push_back(light);
     content.lights.push_back(std::move(placed));
-    return LightScene{target.files(content), {}};
+    std::vector<std::string> instead;
+    if (!target.holds.profiles) instead.push_back(fmt::format("light '{}': {}", light.name, without_profiles(target)));
+    return LightScene{target.files(content), std::move(instead)};
 }
 
 } // namespace gonio

@@ -11,9 +11,11 @@ namespace gonio {
 // Each is defined in the target's own file.
 namespace asset_detail {
 std::vector<AssetFile> babylon_files(const SceneContent& scene);
+std::vector<AssetFile> filament_files(const SceneContent& scene);
 std::vector<AssetFile> gltf_files(const SceneContent& scene);
 std::vector<AssetFile> godot_files(const SceneContent& scene);
 std::vector<AssetFile> luxcore_files(const SceneContent& scene);
+std::vector<AssetFile> playcanvas_files(const SceneContent& scene);
 std::vector<AssetFile> raw_files(const SceneContent& scene);
 std::vector<AssetFile> threejs_files(const SceneContent& scene);
 std::vector<AssetFile> unity_files(const SceneContent& scene);
@@ -40,6 +42,11 @@ constexpr TargetSky no_gltf_sky{
     SkyPictureKind::none, false, false,
     "glTF has no skies of its own, and the extension EXT_lights_image_based takes filtered pictures of 8 bits"};
 
+constexpr TargetSky no_filament_sky{SkyPictureKind::none, false, false,
+                                    "Filament reads skies as KTX files that its own tool, cmgen, filters"};
+constexpr TargetSky no_playcanvas_sky{SkyPictureKind::none, false, false,
+                                      "PlayCanvas keeps a sky as a picture of 8 bits that it filters itself"};
+
 // Projectors within the cone of a spot lose too many texels when they are wider.
 constexpr double widest_cone_deg = 75.0;
 constexpr TargetImages in_cones{widest_cone_deg, false, {}};
@@ -51,6 +58,10 @@ constexpr TargetHolds gltf_holds{point_sun, Falloff::frostbite, true, false, 90.
                                  false,     no_gltf_sky};
 constexpr TargetHolds babylon_holds{point_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false,
                                     false,     latlong_hdr};
+constexpr TargetHolds filament_holds{point_sun, Falloff::frostbite, true,  true, 90.0, TargetLength::any, false,
+                                     false,     no_filament_sky,    {},    false, false};
+constexpr TargetHolds playcanvas_holds{point_sun, Falloff::smoothstep_cos, true, true, 89.0, TargetLength::any, false,
+                                       false,     no_playcanvas_sky};
 constexpr TargetHolds threejs_holds{
     point_rect_sun, Falloff::smoothstep_cos, true, true, 90.0, TargetLength::any, false, false, latlong, in_cones};
 constexpr TargetHolds blender_holds{
@@ -98,6 +109,14 @@ constexpr std::array all{
         "EEVEE ignores IES nodes. Between the table's lines Cycles interpolates by cubics, which differs a little "
         "from every other reader; near a sphere light, older Cycles samples a disk in its place.",
         blender_holds, asset_detail::blender_files},
+    Target{"filament", "Filament: a module for its WebAssembly that makes the lights",
+           "import { makeLights } from './NAME.js' and call makeLights(Filament, engine, scene), which returns their "
+           "entities by name; a luminaire alone shines down -Y from the origin. With setExposureDirect(1) a pixel is a "
+           "luminance.",
+           "UNRUN",
+           "Filament has no profiles and no area lights: a spot or a point of the same flux stands for them. A scene "
+           "has one sun.",
+           filament_holds, asset_detail::filament_files},
     Target{"gltf", "glTF 2.0, .gltf and .glb: KHR_lights_punctual, and EXT_lights_ies for profiles",
            "Load NAME.gltf (with the .ies beside it) or NAME.glb (all in one file): a node for each light; that of a "
            "luminaire alone shines down -Y, C0 along +X.",
@@ -140,6 +159,13 @@ constexpr std::array all{
         "the lux of a sky on five planes.",
         "pbrt itself was not run. It looks the image up without filtering, and `power` gives it the flux in lumens.",
         pbrt_holds, asset_detail::pbrt_files},
+    Target{"playcanvas", "PlayCanvas: a module that makes the lights, with profiles as cookies",
+           "import { makeLights } from './NAME.js' and call makeLights(app) before anything is drawn; it returns the "
+           "entities. A luminaire alone shines down -Y from the origin. With an exposure of 1 a pixel is a luminance.",
+           "UNRUN",
+           "PlayCanvas has 16/(d^2 + 1) for the inverse square: the module puts 1/d^2 in its place, for other lights "
+           "too. With clustered lighting, the default, profiles are 8 bits, and cookies must be turned on.",
+           playcanvas_holds, asset_detail::playcanvas_files},
     Target{
         "radiance", "Radiance: lights as .rad, profiles as .dat and .cal",
         "oconv NAME.rad ROOM.rad > NAME.oct where the files lie; numbers are W/sr/m2, of which Radiance makes nits by "
