@@ -7,7 +7,9 @@ import { Color3 } from '@babylonjs/core/Maths/math.color.js';
 import { Constants } from '@babylonjs/core/Engines/constants.js';
 import { CreateGround } from '@babylonjs/core/Meshes/Builders/groundBuilder.js';
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js';
+import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js';
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js';
+import { RectAreaLightTexturesLib } from 'three/addons/lights/RectAreaLightTexturesLib.js';
 import '@babylonjs/core/Engines/Extensions/engine.readTexture.js';
 
 export const version = Engine.Version;
@@ -33,6 +35,12 @@ export async function render(name) {
   material.maxSimultaneousLights = 8;
   material.brdf.baseDiffuseModel = Constants.MATERIAL_DIFFUSE_MODEL_LAMBERT;
   floor.material = material;
+  // Babylon.js loads the tables of area lights from a server; three.js has the same in its package. The floor's diffuse
+  // part does not need them.
+  const { LTC_HALF_1, LTC_HALF_2 } = RectAreaLightTexturesLib.init();
+  const table = (texture) => RawTexture.CreateRGBATexture(texture.image.data, 64, 64, scene, false, false,
+    Constants.TEXTURE_BILINEAR_SAMPLINGMODE, Constants.TEXTURETYPE_HALF_FLOAT);
+  scene._ltcTextures = { LTC1: table(LTC_HALF_1), LTC2: table(LTC_HALF_2) };
   makeLights(scene);
   if (addSky) {
     const sky = addSky(scene);

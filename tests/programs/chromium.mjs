@@ -60,7 +60,8 @@ const only = process.env.LIGHTS?.split(',');
 // The sky is not written for a target that stores none.
 const target = { 'threejs-webgl': 'threejs', pathtracer: 'threejs' }[program] ?? program;
 const written = new Set(readdirSync(join(work, 'assets', target)).map((file) => file.split('.')[0]));
-const rendered = { program, version: '', lux: {}, failed: {} };
+const output = join(work, 'rendered', `${program}.json`);
+const rendered = only && existsSync(output) ? JSON.parse(readFileSync(output, 'utf8')) : { program, version: '', lux: {}, failed: {} };
 try {
   for (const name of names.filter((one) => written.has(one) && (!only || only.includes(one)))) {
     const tab = await browser.newPage(); // a fresh page for every light: nothing is left of the one before
@@ -80,6 +81,7 @@ try {
       rendered.failed[name] = result.error;
       continue;
     }
+    delete rendered.failed[name];
     rendered.version = result.version;
     // The floor reflects half of its light, the same in every direction.
     const lux = [];
@@ -92,5 +94,5 @@ try {
   server.close();
 }
 mkdirSync(join(work, 'rendered'), { recursive: true });
-writeFileSync(join(work, 'rendered', `${program}.json`), JSON.stringify(rendered));
+writeFileSync(output, JSON.stringify(rendered));
 for (const [name, error] of Object.entries(rendered.failed)) console.error(`${program}: ${name}: ${error}`);

@@ -1,42 +1,51 @@
 // Prints a row for every light that a program rendered, and fails if one differs by more than its bound:
-//   node compare.mjs WORK BOUNDS.csv PROGRAM…
-// The deviation is that of the worst pixel, as a share of the brightest that probe gives; BOUNDS.csv has those of more
-// than 1 %.
-import { existsSync, readFileSync } from 'node:fs';
+//   node compare.mjs WORK MEASURED.csv update|check PROGRAM=TARGET…
+// The deviation is that of the worst pixel, as a share of the brightest that probe gives. The bound is 1 %, or a tenth more
+// than MEASURED.csv states. `update` writes what was measured into that file.
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-const [work, boundsFile, ...programs] = process.argv.slice(2);
-const bounds = new Map();
-for (const line of readFileSync(boundsFile, 'utf8').split('\n').slice(1)) {
-  const [program, light, percent] = line.split(',');
-  if (program) bounds.set(`${program},${light}`, Number(percent) / 100);
-}
+const [work, file, what, ...programs] = process.argv.slice(2);
+const header = 'program,version,target,light,percent';
+const stated = existsSync(file) ? readFileSync(file, 'utf8').split('\n').slice(1).filter(Boolean).map((line) => line.split(',')) : [];
 const names = JSON.parse(readFileSync(join(work, 'names.json'), 'utf8'));
-const truth = (name) => {
+
+function probed(name) {
   const rows = readFileSync(join(work, 'probe', `${name}.csv`), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
   const column = rows[0].split(',').indexOf('illuminance_lx');
   return rows.slice(1).map((row) => Number(row.split(',')[column]));
-};
+}
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+const row = (...cells) => console.log(cells.map((cell, i) => (i < 2 ? cell.padEnd(i === 0 ? 24 : 12) : cell.padStart(9))).join(' '));
 
 let bad = 0;
-console.log(`${'program'.padEnd(26)} ${'light'.padEnd(12)} ${'mean lx'.padStart(9)} ${"probe's".padStart(9)} ${'mean'.padStart(8)} ${'worst'.padStart(8)} ${'bound'.padStart(7)}`);
-for (const program of programs) {
-  const file = join(work, 'rendered', `${program}.json`);
-  if (!existsSync(file)) continue;
-  const { version, lux, failed } = JSON.parse(readFileSync(file, 'utf8'));
+row('program', 'light', 'mean lx', "probe's", 'mean', 'worst', 'bound');
+for (const [program, target] of programs.map((one) => one.split('='))) {
+  const rendered = join(work, 'rendered', `${program}.json`);
+  if (!existsSync(rendered)) {
+    console.log(`${program}: nothing was rendered`);
+    bad++;
+    continue;
+  }
+  const { version, lux, failed } = JSON.parse(readFileSync(rendered, 'utf8'));
   for (const name of names) {
-    if (failed?.[name]) { console.log(`${`${program} ${version}`.padEnd(26)} ${name.padEnd(12)} failed`); bad++; }
+    if (failed?.[name]) {
+      row(`${program} ${version}`, name, 'failed');
+      bad++;
+    }
     if (!lux[name]) continue;
-    const expected = truth(name);
+    const expected = probed(name);
     if (expected.length !== lux[name].length) throw new Error(`${name}: ${lux[name].length} pixels for ${expected.length}`);
-    const brightest = Math.max(...expected);
-    const worst = Math.max(...expected.map((value, i) => Math.abs(lux[name][i] - value))) / brightest;
-    const ratio = mean(lux[name]) / mean(expected);
-    const bound = bounds.get(`${program},${name}`) ?? 0.01;
-    const within = worst <= bound;
+    const worst = 100 * Math.max(...expected.map((value, i) => Math.abs(lux[name][i] - value))) / Math.max(...expected);
+    const ratio = 100 * (mean(lux[name]) / mean(expected) - 1);
+    const at = stated.findIndex((one) => one[0] === program && one[3] === name);
+    const bound = Math.max(1, 1.1 * Number(stated[at]?.[4] ?? 0));
+    const within = worst <= bound || what === 'update';
     if (!within) bad++;
-    console.log(`${`${program} ${version}`.padEnd(26)} ${name.padEnd(12)} ${mean(lux[name]).toFixed(3).padStart(9)} ${mean(expected).toFixed(3).padStart(9)} ${(100 * (ratio - 1)).toFixed(3).padStart(7)}% ${(100 * worst).toFixed(3).padStart(7)}% ${(100 * bound).toFixed(1).padStart(6)}%${within ? '' : '  beyond'}`);
+    row(`${program} ${version}`, name, mean(lux[name]).toFixed(3), mean(expected).toFixed(3), `${ratio.toFixed(2)}%`,
+      `${worst.toFixed(3)}%`, `${bound.toFixed(1)}%`, within ? '' : 'beyond');
+    if (what === 'update') stated.splice(at < 0 ? stated.length : at, at < 0 ? 0 : 1, [program, version, target, name, worst.toPrecision(2)]);
   }
 }
+if (what === 'update') writeFileSync(file, [header, ...stated.map((one) => one.join(','))].join('\n') + '\n');
 process.exit(bad === 0 ? 0 : 1);

@@ -37,8 +37,7 @@ std::string entry(const SceneLight& light, const SceneContent& scene) {
         return fmt::format("light(Filament, 'SUN', {}, {}, {{ direction: [{}], sunAngularRadius: [{}] }})", color,
                            light.lux, aim, 0.5 * light.diameter * 180.0 / pi);
     const std::string where =
-        fmt::format("position: [{}], falloff: [{}]", vector(y_up(light.frame.origin)),
-                    reach_of(light));
+        fmt::format("position: [{}], falloff: [{}]", vector(y_up(light.frame.origin)), reach_of(light));
     const auto point = [&](double intensity) {
         return fmt::format("light(Filament, 'POINT', {}, {}, {{ {} }})", color, 4.0 * pi * intensity, where);
     };

@@ -1,6 +1,8 @@
 // glTF 2.0: a node for each light, in metres and Y up. Points, spots and suns are KHR_lights_punctual; a profile is
 // EXT_lights_ies with the portable profile (beside the .gltf, inside the .glb), and for readers without it a punctual
-// light of the same flux on the same node.
+// light of the same flux on the same node. Rectangles and disks are EXT_lights_area (a draft): nits, one side; `size`
+// is the height or the diameter, `aspect` the width over the height. They have a light of the same flux beside them
+// too.
 //
 // EXT_lights_ies: candela of the file × multiplier × colour, which is clamped to [0, 1]; the node's −Z is γ = 0. So the
 // colour is scaled to a greatest channel of 1, and the multiplier restores the luminance.
@@ -28,19 +30,36 @@ Json spot_cone(double inner, double outer) {
 }
 
 // A light of the same flux: a point if the profile emits upwards too, else a spot about as narrow.
-Json fallback(const MeasuredLight& light, const std::string& name, const ScaledColor& color) {
+Json fallback(const SameFlux& same, const std::string& name, const ScaledColor& color) {
     Json json{{"name", name}, {"color", numbers(color.rgb)}};
-    const SameFlux same = same_flux(light);
     json["type"] = same.is_point ? "point" : "spot";
     json["intensity"] = color.factor * same.intensity;
     if (!same.is_point) json["spot"] = spot_cone(same.inner, same.outer);
     return json;
 }
 
+bool is_area(const SceneLight& light) {
+    return light.kind == LightKind::rect || light.kind == LightKind::disk;
+}
+
+// The light as EXT_lights_area describes it.
+Json area(const SceneLight& light) {
+    const ScaledColor color = scaled(light.color);
+    const bool is_rect = light.kind == LightKind::rect;
+    Json json{{"name", light.name},
+              {"type", is_rect ? "rect" : "disk"},
+              {"color", numbers(color.rgb)},
+              {"intensity", color.factor * light.nits},
+              {"size", is_rect ? light.height : 2.0 * light.radius}};
+    if (is_rect) json["rect"] = {{"aspect", light.width / light.height}};
+    return json;
+}
+
 // The light as KHR_lights_punctual describes it.
 Json punctual(const SceneLight& light, const SceneContent& scene) {
     const ScaledColor color = scaled(light.color);
-    if (light.kind == LightKind::profile) return fallback(scene.profiles[light.profile], light.name, color);
+    if (light.kind == LightKind::profile) return fallback(same_flux(scene.profiles[light.profile]), light.name, color);
+    if (is_area(light)) return fallback(same_flux_as_area(light.intensity), light.name, color);
     Json json{{"name", light.name}, {"color", numbers(color.rgb)}};
     json["type"] = light.kind == LightKind::sun ? "directional" : light.kind == LightKind::spot ? "spot" : "point";
     json["intensity"] = color.factor * (light.kind == LightKind::sun ? light.lux : light.intensity);
@@ -51,6 +70,7 @@ Json punctual(const SceneLight& light, const SceneContent& scene) {
 // The document without its buffers and buffer views; `profiles` states where each profile is.
 Json document(const SceneContent& scene, Json profiles, const GltfStage& stage) {
     Json lights = Json::array();
+    Json areas = Json::array();
     Json nodes = stage.nodes;
     for (const SceneLight& light : scene.lights) {
         Json node{{"name", light.name}, {"rotation", gltf_rotation(light.frame)}};
@@ -63,12 +83,20 @@ Json document(const SceneContent& scene, Json profiles, const GltfStage& stage) 
             node["extras"] = {{"flux_lm", scene.profiles[light.profile].flux.value},
                               {"peak_cd", scene.profiles[light.profile].peak.value}};
         }
+        if (is_area(light)) {
+            node["extensions"]["EXT_lights_area"] = {{"light", areas.size()}};
+            areas.push_back(area(light));
+        }
         node["extensions"]["KHR_lights_punctual"] = {{"light", lights.size()}};
         nodes.push_back(std::move(node));
         lights.push_back(punctual(light, scene));
     }
     Json used = Json::array();
     Json extensions = Json::object();
+    if (!areas.empty()) {
+        used.push_back("EXT_lights_area");
+        extensions["EXT_lights_area"] = {{"lights", std::move(areas)}};
+    }
     if (!scene.profiles.empty()) {
         used.push_back("EXT_lights_ies");
         for (std::size_t i = 0; i < scene.profiles.size(); ++i)

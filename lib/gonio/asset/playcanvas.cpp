@@ -128,8 +128,8 @@ std::string entry(const SceneLight& light) {
     } else if (light.kind == LightKind::spot) {
         type = "spot";
         unit = fmt::format("{}", 2.0 * pi * (1.0 - 0.5 * (std::cos(light.inner) + std::cos(light.outer))));
-        settings += fmt::format(", innerConeAngle: {}, outerConeAngle: {}", light.inner * 180.0 / pi,
-                                light.outer * 180.0 / pi);
+        settings +=
+            fmt::format(", innerConeAngle: {}, outerConeAngle: {}", light.inner * 180.0 / pi, light.outer * 180.0 / pi);
     } else if (light.kind == LightKind::profile) {
         settings += fmt::format(", cookie: cookies[{}], cookieChannel: 'rrr'", light.profile);
     }
@@ -142,8 +142,14 @@ std::string entry(const SceneLight& light) {
 
 std::vector<AssetFile> playcanvas_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    std::set<std::string> imports{"Color",       "Entity", "LIGHTFALLOFF_INVERSESQUARED", "Mat4", "Quat",
-                                  "SHADERLANGUAGE_GLSL", "SHADERLANGUAGE_WGSL",           "ShaderChunks"};
+    std::set<std::string> imports{"Color",
+                                  "Entity",
+                                  "LIGHTFALLOFF_INVERSESQUARED",
+                                  "Mat4",
+                                  "Quat",
+                                  "SHADERLANGUAGE_GLSL",
+                                  "SHADERLANGUAGE_WGSL",
+                                  "ShaderChunks"};
     std::string helpers = light_text;
     std::string cookies;
     if (!scene.profiles.empty()) {

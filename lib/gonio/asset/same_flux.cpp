@@ -54,14 +54,22 @@ Cone cone_of(double mean_cosine) {
     return {std::acos(low), 0.5 * pi};
 }
 
+SameFlux spot_of(double lumens, double mean_cosine) {
+    const auto [inner, outer] = cone_of(mean_cosine);
+    const double widest_inner = std::min(inner, 0.999 * outer); // below the outer angle, as glTF requires
+    return {false, lumens / closed_form::spot_solid_angle(Falloff::frostbite, widest_inner, outer), widest_inner,
+            outer};
+}
+
 } // namespace
 
 SameFlux same_flux(const MeasuredLight& light) {
     if (shines_up(light.web, light.peak)) return {true, light.flux.value / (4.0 * pi), 0.0, 0.0};
-    const auto [inner, outer] = cone_of(mean_cosine(light.web));
-    const double widest_inner = std::min(inner, 0.999 * outer); // below the outer angle, as glTF requires
-    return {false, light.flux.value / closed_form::spot_solid_angle(Falloff::frostbite, widest_inner, outer),
-            widest_inner, outer};
+    return spot_of(light.flux.value, mean_cosine(light.web));
+}
+
+SameFlux same_flux_as_area(double candela) {
+    return spot_of(pi * candela, 2.0 / 3.0); // I cosθ
 }
 
 } // namespace gonio::asset_detail

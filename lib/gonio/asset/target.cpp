@@ -26,6 +26,7 @@ namespace {
 
 // Kinds of light that targets have besides profiles.
 constexpr std::array point_sun{LightKind::point, LightKind::sun};
+constexpr std::array point_disk_rect_sun{LightKind::point, LightKind::disk, LightKind::rect, LightKind::sun};
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
 constexpr std::array point_rect_tube_sun{LightKind::point, LightKind::rect, LightKind::tube, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
@@ -54,12 +55,12 @@ constexpr TargetImages in_narrow_cones{60.0, false, {}}; // Godot's cones are wi
 constexpr TargetImages everywhere{90.0, true, {}};
 constexpr TargetImages panels_alone{0.0, true, {}};
 
-constexpr TargetHolds gltf_holds{point_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter, false,
-                                 false,     no_gltf_sky};
-constexpr TargetHolds babylon_holds{point_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false,
-                                    false,     latlong_hdr};
-constexpr TargetHolds filament_holds{point_sun, Falloff::frostbite, true,  true, 90.0, TargetLength::any, false,
-                                     false,     no_filament_sky,    {},    false, false};
+constexpr TargetHolds gltf_holds{
+    point_disk_rect_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter, false, false, no_gltf_sky};
+constexpr TargetHolds babylon_holds{point_rect_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false,
+                                    false,          latlong_hdr};
+constexpr TargetHolds filament_holds{point_sun, Falloff::frostbite, true, true,  90.0, TargetLength::any, false,
+                                     false,     no_filament_sky,    {},   false, false};
 constexpr TargetHolds playcanvas_holds{point_sun, Falloff::smoothstep_cos, true, true, 89.0, TargetLength::any, false,
                                        false,     no_playcanvas_sky};
 constexpr TargetHolds threejs_holds{
@@ -78,8 +79,8 @@ constexpr TargetHolds radiance_holds{all_kinds,         std::nullopt, false, fal
 constexpr TargetHolds usd_holds{
     all_kinds, Falloff::smoothstep_angle, true,        false, 90.0, TargetLength::any, false,
     false,     latlong_or_uniform,        panels_alone};
-constexpr TargetHolds godot_holds{point_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false,
-                                  latlong,   in_narrow_cones};
+constexpr TargetHolds godot_holds{
+    point_rect_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false, latlong, in_narrow_cones};
 constexpr TargetHolds unity_holds{
     point_rect_tube_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter, true, false, latlong, in_cones};
 constexpr TargetHolds unreal_holds{
@@ -132,7 +133,8 @@ constexpr std::array all{
            "its WorldEnvironment, of which a tree has one.",
            "By the formulas of Godot's shaders, projectors and skies among them, the text lights points as the rig's "
            "lights and sky do.",
-           "Nothing was run in Godot. Projectors have 8 bits, and the engine packs them into an atlas of its own size.",
+           "Nothing was run in Godot. Projectors have 8 bits, and the engine packs them into an atlas of its own size. "
+           "Rectangles are AreaLight3D, which came with Godot 4.7; its baked and bounced light differs there.",
            godot_holds, asset_detail::godot_files},
     Target{"luxcore", "LuxCore: scene properties (.scn) with the portable profiles",
            "Add NAME.scn to the scene's properties and run where the .ies lie; a luminaire alone shines along -Z, C0 "

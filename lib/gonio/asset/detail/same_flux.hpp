@@ -1,5 +1,5 @@
-// A light of the same flux as a profile, for programs without profiles: a point if the profile emits upwards too, else
-// a spot about as narrow, with glTF's falloff.
+// A light of the same flux as a profile or an area, for programs without them: a point if the profile emits upwards
+// too, else a spot about as narrow, with glTF's falloff.
 #pragma once
 
 #include <gonio/asset/measured_light.hpp>
@@ -14,5 +14,8 @@ struct SameFlux {
 };
 
 SameFlux same_flux(const MeasuredLight& light);
+
+// Of one side of a rectangle or a disk with this intensity along its axis [cd].
+SameFlux same_flux_as_area(double candela);
 
 } // namespace gonio::asset_detail
