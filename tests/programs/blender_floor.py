@@ -55,7 +55,7 @@ if engine == "cycles":
     scene.cycles.use_denoising = False
     scene.cycles.max_bounces = 0
     scene.cycles.sample_clamp_direct = 0.0
-    scene.cycles.pixel_filter_type = "BOX"
+    scene.cycles.pixel_filter_type = "BLACKMAN_HARRIS"  # a box would be as wide as a pixel
     scene.cycles.filter_width = 0.01
 else:
     scene.render.engine = "BLENDER_EEVEE"

@@ -195,9 +195,13 @@ ProfileKey profile_key(const Light& light) {
     return key;
 }
 
-// For a report.
-std::string without_profiles(const Target& target) {
-    return fmt::format("{} does not have profiles: written as a spot or a point of the same flux", target.name);
+// What the target loses of a profile, for a report; empty: nothing.
+std::string loss_of_profile(const Target& target, const MeasuredLight& profile) {
+    if (!target.holds.profiles)
+        return fmt::format("{} does not have profiles: written as a spot or a point of the same flux", target.name);
+    if (!target.holds.azimuths && profile.web.stored_symmetry() != Symmetry::axial)
+        return fmt::format("{} does not have azimuths: the profile is averaged over them", target.name);
+    return {};
 }
 
 class SceneBuilder {
@@ -269,14 +273,10 @@ private:
         Result<std::size_t> profile = index_of_profile(light, made);
         if (!profile) return pass_on(profile);
         made.profile = *profile;
+        if (std::string lost = loss_of_profile(target_, content_.profiles[made.profile]); !lost.empty())
+            say(light, lost);
         made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
         return place_as(LightKind::profile, std::move(made));
-    }
-
-    // Of a light that is a profile itself.
-    Result<void> place_own_profile(const Light& light, SceneLight made) {
-        if (!target_.holds.profiles) say(light, without_profiles(target_));
-        return place_profile(light, std::move(made));
     }
 
     // Of a profile that `make` makes under a name if no light before has had it.
@@ -369,7 +369,7 @@ private:
                            std::string_view what = "a point") {
         const LightImage* const image = mask_of(light.shape).image;
         if (!target_.holds.profiles) {
-            say(light, fmt::format("{}: written as a light of the same flux", why));
+            say(light, std::string(why)); // place_profile() says what stands for it
             return place_profile(light, std::move(made));
         }
         say(light, fmt::format("{}: written as {} with the same intensity in every direction{}", why, what,
@@ -414,7 +414,7 @@ private:
     }
 
     Result<void> place(const Light& light, const PointShape& point, SceneLight made) {
-        if (point.mask) return place_own_profile(light, std::move(made));
+        if (point.mask) return place_profile(light, std::move(made));
         if (holds(LightKind::point)) return place_as(LightKind::point, std::move(made));
         return place_profile(light, std::move(made));
     }
@@ -424,7 +424,7 @@ private:
             say(light,
                 fmt::format("its luminous opening ({}) is left out: a point, which is within 1 % from {:.2g} m on",
                             to_text(*profile.opening()), point_distance_m(*light.body, *profile.web)));
-        return place_own_profile(light, std::move(made));
+        return place_profile(light, std::move(made));
     }
     Result<void> place(const Light& light, const SpotShape& spot, SceneLight made) {
         const bool hard = spot.falloff == Falloff::hard || !(spot.inner.value < spot.outer.value);
@@ -589,7 +589,8 @@ Result<LightScene> light_scene(const Target& target, const MeasuredLight& light,
     content.profiles.push_back(light);
     content.lights.push_back(std::move(placed));
     std::vector<std::string> instead;
-    if (!target.holds.profiles) instead.push_back(fmt::format("light '{}': {}", light.name, without_profiles(target)));
+    if (const std::string lost = loss_of_profile(target, light); !lost.empty())
+        instead.push_back(fmt::format("light '{}': {}", light.name, lost));
     return LightScene{target.files(content), std::move(instead)};
 }
 

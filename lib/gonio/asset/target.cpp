@@ -57,8 +57,9 @@ constexpr TargetImages panels_alone{0.0, true, {}};
 
 constexpr TargetHolds gltf_holds{
     point_disk_rect_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter, false, false, no_gltf_sky};
-constexpr TargetHolds babylon_holds{point_rect_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false,
-                                    false,          latlong_hdr};
+constexpr TargetHolds babylon_holds{
+    point_rect_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false, false, latlong_hdr, {}, false, true,
+    false};
 constexpr TargetHolds filament_holds{point_sun, Falloff::frostbite, true, true,  90.0, TargetLength::any, false,
                                      false,     no_filament_sky,    {},   false, false};
 constexpr TargetHolds playcanvas_holds{point_sun, Falloff::smoothstep_cos, true, true, 89.0, TargetLength::any, false,
@@ -95,8 +96,10 @@ constexpr std::array all{
         "-Y from the origin until moved. addSky(scene), where there is a sky, sets the scene's environment.",
         "Babylon.js 9.34 in Node.js makes the lights, which light points as the rig's do; textures, sampled as the "
         "shader does, have the profile's means over C. The cube that it makes of a sky gives five planes their lux to "
-        "1 %.",
-        "No picture was rendered. Babylon looks the profile up by the angle to the axis alone: azimuths are averaged.",
+        "1 %. In Chromium it draws points, spots, rectangles, suns and skies as probe has them, to 0.4 %.",
+        "Babylon looks the profile up by the angle to the axis alone: azimuths are averaged, and a street light is off "
+        "by 57 "
+        "%. The highlights of rectangles need tables that Babylon loads from its own server.",
         babylon_holds, asset_detail::babylon_files},
     Target{
         "blender", "Blender: a script that makes the lights for Cycles, with the profiles inside",
@@ -107,25 +110,28 @@ constexpr std::array all{
         "the greatest anywhere, and that of a rig's lights of every kind to 0.1 % in the mean, luminaires with a size, "
         "masks and images among them; a stage under a sky to 0.2 % in the mean; 177.83 lm are a watt, as Blender's IES "
         "node counts.",
-        "EEVEE ignores IES nodes. Between the table's lines Cycles interpolates by cubics, which differs a little "
+        "EEVEE ignores IES nodes, so that profiles, spots and images are lost, and meshes do not light it. Between the "
+        "table's lines Cycles interpolates by cubics, which differs a little "
         "from every other reader; near a sphere light, older Cycles samples a disk in its place.",
         blender_holds, asset_detail::blender_files},
     Target{"filament", "Filament: a module for its WebAssembly that makes the lights",
            "import { makeLights } from './NAME.js' and call makeLights(Filament, engine, scene), which returns their "
            "entities by name; a luminaire alone shines down -Y from the origin. With setExposureDirect(1) a pixel is a "
            "luminance.",
-           "UNRUN",
+           "Filament 1.53 draws points, spots and suns as probe has them, to 0.3 %.",
            "Filament has no profiles and no area lights: a spot or a point of the same flux stands for them. A scene "
            "has one sun.",
            filament_holds, asset_detail::filament_files},
-    Target{"gltf", "glTF 2.0, .gltf and .glb: KHR_lights_punctual, and EXT_lights_ies for profiles",
-           "Load NAME.gltf (with the .ies beside it) or NAME.glb (all in one file): a node for each light; that of a "
-           "luminaire alone shines down -Y, C0 along +X.",
-           "The Khronos validator finds no error. It does not know EXT_lights_ies, whose schema and indices are tested "
-           "here.",
-           "Readers of EXT_lights_ies are few, and treat azimuths in their own way. Others see the fallback: a spot or "
-           "point light of the same flux, without the profile.",
-           gltf_holds, asset_detail::gltf_files},
+    Target{
+        "gltf", "glTF 2.0, .gltf and .glb: KHR_lights_punctual, EXT_lights_ies for profiles, EXT_lights_area",
+        "Load NAME.gltf (with the .ies beside it) or NAME.glb (all in one file): a node for each light; that of a "
+        "luminaire alone shines down -Y, C0 along +X.",
+        "The Khronos validator finds no error. It does not know EXT_lights_ies and EXT_lights_area, whose indices are "
+        "tested here. three.js r187 draws points and suns as probe has them.",
+        "Readers of EXT_lights_ies are few, and treat azimuths in their own way; EXT_lights_area is a draft. Others "
+        "see the fallback: a spot or point light of the same flux. three.js draws every spot as smoothstep over the "
+        "cosine: 30 % off.",
+        gltf_holds, asset_detail::gltf_files},
     Target{"godot", "Godot 4: a scene of lights in physical units, with projector textures",
            "Copy the files into a project, turn Rendering > Lights and Shadows > Use Physical Light Units on, and "
            "instance NAME.tscn; a luminaire alone shines down -Y, C0 along +X. Not for the Compatibility renderer. A "
@@ -164,7 +170,8 @@ constexpr std::array all{
     Target{"playcanvas", "PlayCanvas: a module that makes the lights, with profiles as cookies",
            "import { makeLights } from './NAME.js' and call makeLights(app) before anything is drawn; it returns the "
            "entities. A luminaire alone shines down -Y from the origin. With an exposure of 1 a pixel is a luminance.",
-           "UNRUN",
+           "PlayCanvas 2.23 draws points, spots, suns and profiles as probe has them, to 0.3 %, without clustered "
+           "lighting.",
            "PlayCanvas has 16/(d^2 + 1) for the inverse square: the module puts 1/d^2 in its place, for other lights "
            "too. With clustered lighting, the default, profiles are 8 bits, and cookies must be turned on.",
            playcanvas_holds, asset_detail::playcanvas_files},
@@ -192,10 +199,10 @@ constexpr std::array all{
         "WebGPURenderer; a luminaire alone shines down -Y from the origin. await addSky(scene), where there is a sky, "
         "sets the scene's environment.",
         "three.js r187 in Node.js makes the lights, which light points as the rig's do; textures, sampled as the "
-        "shader does, have the profile's intensities in every direction, and skies their lux on five planes.",
-        "No picture was rendered. Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores "
-        "profiles.",
-        threejs_holds, asset_detail::threejs_files},
+        "shader does, have the profile's intensities in every direction, and skies their lux on five planes. In "
+        "Chromium, WebGPURenderer draws every kind as probe has it, to 0.4 %.",
+        "Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores profiles.", threejs_holds,
+        asset_detail::threejs_files},
     Target{
         "unity", "Unity: portable profiles, spot and point cookies, and a script that makes the lights",
         "Copy the files under Assets, NAME.cs into a folder named Editor there; GameObject > Light > NAME makes the "

@@ -103,6 +103,7 @@ struct TargetHolds {
     TargetImages images = {};
     bool near_profiles = false; // its area lights take a profile and divide it by a projected area
     bool profiles = true;       // false: a spot or a point of the same flux stands for a profile
+    bool azimuths = true;       // false: it averages a profile over them
 };
 
 // A program that files are written for, as `gonio list targets` shows it.

@@ -508,10 +508,10 @@ TEST(LightScene, OfGltfHasAreas) {
             area["type"] == "rect" ? size * size * area["rect"]["aspect"].get<double>() : 0.25 * pi * size * size;
         const double lumens = pi * square_meters * area["intensity"].get<double>();
         EXPECT_NEAR(lumens, node["name"] == "panel" ? 2000.0 : 450.0, 1e-9); // the disk's, of each of its sides
-        EXPECT_NEAR(punctual["intensity"].get<double>() *
-                        closed_form::spot_solid_angle(Falloff::frostbite, punctual["spot"]["innerConeAngle"],
-                                                      punctual["spot"]["outerConeAngle"]),
-                    lumens, 1e-9);
+        const double solid_angle =
+            closed_form::spot_solid_angle(Falloff::frostbite, punctual["spot"]["innerConeAngle"].get<double>(),
+                                          punctual["spot"]["outerConeAngle"].get<double>());
+        EXPECT_NEAR(punctual["intensity"].get<double>() * solid_angle, lumens, 1e-9);
     }
     EXPECT_EQ(areas, 3U); // the panel, and the disk with its back
 }
@@ -525,12 +525,13 @@ TEST(LightScene, OfFilamentIsInLumens) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("[\"sun\", light(Filament, 'SUN', [1, 1, 1], 500, "), std::string::npos) << text;
-    for (const Light& light : lights)
-        if (light.name == "default")
-            EXPECT_NE(text.find(fmt::format("[\"default\", light(Filament, 'SPOT', [1, 1, 1], {}",
-                                            pi * light.intensity.value)),
-                      std::string::npos)
-                << text;
+    for (const Light& light : lights) {
+        if (light.name != "default") continue;
+        EXPECT_NE(
+            text.find(fmt::format("[\"default\", light(Filament, 'SPOT', [1, 1, 1], {}", pi * light.intensity.value)),
+            std::string::npos)
+            << text;
+    }
     const auto alone = light_scene(**find_target("filament"), delivered("street.ies"));
     ASSERT_EQ(alone->instead.size(), 1U);
     EXPECT_NE(alone->instead[0].find("does not have profiles"), std::string::npos);
