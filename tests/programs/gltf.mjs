@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { floorScene, size } from './threejs_floor.mjs';
 
-export const version = `(r${THREE.REVISION})`;
+export const version = `r${THREE.REVISION}`;
 
 export async function render(name) {
   const { scene, camera } = await floorScene(null);

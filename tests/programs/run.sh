@@ -15,7 +15,7 @@ root=$(cd "$here/../.." && pwd)
 gonio=$(realpath "${GONIO:-$root/build/release/cli/gonio}")
 work=$root/build/programs
 all=(threejs threejs-webgl gltf babylon playcanvas filament pathtracer cycles eevee)
-programs=("${@:-${all[@]}}")
+programs=("$@")
 [[ $# -gt 0 ]] || programs=("${all[@]}")
 
 declare -A target=([threejs]=threejs [threejs-webgl]=threejs [gltf]=gltf [babylon]=babylon [playcanvas]=playcanvas
@@ -71,6 +71,7 @@ for light in "${lights[@]}"; do
     done
 done
 
+failed=0
 for program in "${programs[@]}"; do
     case $program in
     cycles | eevee)
@@ -79,15 +80,14 @@ for program in "${programs[@]}"; do
             [[ -f $work/assets/blender/$light.py ]] || continue
             blender --background --factory-startup --python-exit-code 1 --python "$here/blender_floor.py" -- \
                 "$program" "$work/assets/blender/$light.py" "$work/rendered/$program.json" "$light" > "$work/blender.log" 2>&1 ||
-                { echo "$program: $light: not rendered, see $work/blender.log" >&2; [[ $program == eevee ]] && break; }
+                { echo "$program: $light: not rendered, see $work/blender.log" >&2; failed=1; break; }
         done
         ;;
     *)
-        node "$here/chromium.mjs" "$program" "$work"
+        node "$here/chromium.mjs" "$program" "$work" || failed=1
         ;;
     esac
 done
-failed=0
 pairs=()
 for program in "${programs[@]}"; do pairs+=("$program=${target[$program]}"); done
 node "$here/compare.mjs" "$work" "$here/measured.csv" "$([[ -n ${UPDATE:-} ]] && echo update || echo check)" \
