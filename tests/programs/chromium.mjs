@@ -61,6 +61,7 @@ const only = process.env.LIGHTS?.split(',');
 const target = { 'threejs-webgl': 'threejs', pathtracer: 'threejs' }[program] ?? program;
 const written = new Set(readdirSync(join(work, 'assets', target)).map((file) => file.split('.')[0]));
 const output = join(work, 'rendered', `${program}.json`);
+mkdirSync(join(work, 'rendered'), { recursive: true });
 const rendered = only && existsSync(output) ? JSON.parse(readFileSync(output, 'utf8')) : { program, version: '', lux: {}, failed: {} };
 try {
   for (const name of names.filter((one) => written.has(one) && (!only || only.includes(one)))) {
@@ -68,7 +69,7 @@ try {
     if (process.env.VERBOSE) tab.on('console', (line) => console.error(`  ${program}: ${line.text()}`));
     tab.on('pageerror', (error) => { if (process.env.VERBOSE) console.error(`  ${program}: ${error}`); });
     await tab.goto(origin);
-    const result = await tab.evaluate(async (program, name) => {
+    const rendering = tab.evaluate(async (program, name) => {
       try {
         const { render, version } = await import(`/programs/${program}.mjs`);
         return { version, rgb: Array.from(await render(name)) };
@@ -76,6 +77,7 @@ try {
         return { error: String(error?.stack ?? error) };
       }
     }, program, name);
+    const result = await rendering.catch((error) => ({ error: String(error) })); // it took too long
     await tab.close();
     if (result.error) {
       rendered.failed[name] = result.error;
@@ -88,11 +90,11 @@ try {
     for (let i = 0; i < result.rgb.length; i += 3)
       lux.push((0.212639 * result.rgb[i] + 0.715169 * result.rgb[i + 1] + 0.072192 * result.rgb[i + 2]) * Math.PI / 0.5);
     rendered.lux[name] = lux;
+    writeFileSync(output, JSON.stringify(rendered));
   }
 } finally {
   await browser.close();
   server.close();
 }
-mkdirSync(join(work, 'rendered'), { recursive: true });
 writeFileSync(output, JSON.stringify(rendered));
 for (const [name, error] of Object.entries(rendered.failed)) console.error(`${program}: ${name}: ${error}`);

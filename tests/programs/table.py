@@ -126,7 +126,7 @@ for target in targets:
     if target in ELSEWHERE:
         names.append(ELSEWHERE[target])
     print(f"| `{target}` | " + " | ".join(cell(target, light) for light in COLUMNS) +
-          f" | {READ.get(target, 'yes' if target in read else 'no')} | {', '.join(names) or 'not run'} |")
+          f" | {READ.get(target, 'yes' if target in read else 'no')} | {'; '.join(names) or 'not run'} |")
 
 shown = [name for name in PROGRAMS if name in version]
 names = [light for light in lights if any(one["light"] == light for one in measured)]
@@ -141,17 +141,18 @@ print("|---" * (len(names) + 1) + "|")
 notes = """
 Why numbers are large:
 
-* three.js' WebGLRenderer ignores profiles. Before r187, WebGPURenderer took C = 180 for every azimuth, and IESLoader squared the candela of
-  a file, which `import` does not use: its textures hold intensities. Its GLTFLoader reads neither EXT_lights_ies nor EXT_lights_area, so that the light of the same flux is seen, and
-  three.js draws every spot as smoothstep over the cosine, which glTF's is not.
+* three.js' WebGLRenderer ignores profiles. Before r187, WebGPURenderer took C = 180 for every azimuth, and IESLoader squared the
+  candela of a file, which `import` does not use: its textures hold intensities.
+* three.js' GLTFLoader reads neither EXT_lights_ies nor EXT_lights_area, so that the light of the same flux is seen; and three.js
+  draws every spot as smoothstep over the cosine, which glTF's is not.
 * Babylon.js looks profiles up by the angle to the axis alone: azimuths are averaged.
-* three-gpu-pathtracer does so too, at C = 180, and from the edges of texels, not their middles.
+* three-gpu-pathtracer does so too, at C = 180, and from the edges of texels, not their middles. It ignores projected images.
 * Filament has neither profiles nor areas: the light of the same flux is seen.
 * EEVEE ignores nodes of lights, so that profiles, spots and images are lost, and meshes do not light it.
-* PlayCanvas has 16/(d² + 1) for the inverse square and no 1/π in its diffuse reflection. What `import` writes puts 1/d² in its place and
-  divides by π. Without that, a floor 1 m below a point is 8π times too bright, one 2.1 m below 41 times.
-* Areas that are points stand 3 to 4 times their size above the floor.
-* EEVEE and the renderers of three.js and Babylon.js approximate how areas are clipped at the horizon and their edges: 0.4 to 1.9 %.
+* PlayCanvas has 16/(d² + 1) for the inverse square and no 1/π in its diffuse reflection. What `import` writes puts 1/d² in its place
+  and divides by π. Without that, a floor 1 m below a point is 8π times too bright, one 2.1 m below 41 times.
+* Areas that are written as points stand two to seven times their size above the floor.
+* EEVEE, three.js and Babylon.js approximate how the edges of areas are seen: 0.3 to 1.9 %.
 """
 for name in shown:
     cells = [percent(deviation[name, light]) if (name, light) in deviation else "-" for light in names]
