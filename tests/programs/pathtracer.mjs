@@ -14,7 +14,7 @@ export async function render(name) {
   const tracer = new WebGLPathTracer(renderer);
   tracer.renderToCanvas = false;
   tracer.renderScale = 1;
-  tracer.bounces = 1;
+  tracer.bounces = 2; // the second finds areas and skies
   tracer.filterGlossyFactor = 0;
   tracer.tiles.set(1, 1);
   tracer.renderDelay = 0;

@@ -133,7 +133,8 @@ names = [light for light in lights if any(one["light"] == light for one in measu
 print("""
 ## Measured
 
-`bash tests/programs/run.sh` renders each light in each program, in headless Chromium or Blender. The numbers are as above.
+`bash tests/programs/run.sh` renders each light in each program, in headless Chromium or Blender. The numbers are as above;
+those of three-gpu-pathtracer, with 32 samples, are of blocks of 4 by 4 pixels.
 `spot` falls as glTF's, `spot-smooth` as smoothstep over the cosine; `profile` is a street light, `profile-up` an axial pendant.
 """)
 print("| program | " + " | ".join(names) + " |")
@@ -151,6 +152,7 @@ Why numbers are large:
 * EEVEE ignores nodes of lights, so that profiles, spots and images are lost, and meshes do not light it.
 * PlayCanvas has 16/(d² + 1) for the inverse square and no 1/π in its diffuse reflection. What `import` writes puts 1/d² in its place
   and divides by π. Without that, a floor 1 m below a point is 8π times too bright, one 2.1 m below 41 times.
+  With clustered lighting, its default, which copies profiles into 8 bits, spots are off by 2 % and the street light by 59 %.
 * Areas that are written as points stand two to seven times their size above the floor.
 * EEVEE, three.js and Babylon.js approximate how the edges of areas are seen: 0.3 to 1.9 %.
 """

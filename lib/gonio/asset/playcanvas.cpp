@@ -4,8 +4,8 @@
 // surface: so all amounts are divided by π, and a pixel is a luminance, as its skies and emissive materials have it.
 // Its inverse square is 16/(d² + 1) times the window of the range, not 1/d²: the module puts the inverse square itself
 // in place of that function. A colour is decoded as c^2.2, after an intensity below 1 has been multiplied in. A spot
-// falls as smoothstep over the cosine. A profile is an omni light with a cube of intensities as its cookie, of which
-// clustered lighting makes 8 bits.
+// falls as smoothstep over the cosine. A profile is an omni light with a cube of intensities as its cookie, which
+// clustered lighting copies into an atlas of 8 bits.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>

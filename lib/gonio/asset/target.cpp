@@ -173,7 +173,8 @@ constexpr std::array all{
            "PlayCanvas 2.23 draws points, spots, suns and profiles as probe has them, to 0.3 %, without clustered "
            "lighting.",
            "PlayCanvas has 16/(d^2 + 1) for the inverse square: the module puts 1/d^2 in its place, for other lights "
-           "too. With clustered lighting, the default, profiles are 8 bits, and cookies must be turned on.",
+           "too. With clustered lighting, the default, spots are off by 2 % and a street light by 59 %: turn "
+           "scene.clusteredLightingEnabled off. WebGPU was not run.",
            playcanvas_holds, asset_detail::playcanvas_files},
     Target{
         "radiance", "Radiance: lights as .rad, profiles as .dat and .cal",
