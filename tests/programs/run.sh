@@ -38,7 +38,7 @@ if ((${#missing[@]} > 0)); then
     "${sudo[@]}" apt-get install -y --no-install-recommends "${missing[@]}" >/dev/null
 fi
 mkdir -p "$work"
-packages=(three@0.187.0 three-mesh-bvh@0.9.15 three-gpu-pathtracer@0.0.26 @babylonjs/core@9.34.0 playcanvas@2.23.3
+packages=(three@0.187.0 three-mesh-bvh@0.9.17 three-gpu-pathtracer@0.0.26 @babylonjs/core@9.34.0 playcanvas@2.23.3
     filament@1.53.4 puppeteer-core@24)
 if $needs_chromium; then
     for package in "${packages[@]}"; do
