@@ -85,6 +85,7 @@ if (program === 'three') {
         const cosine = (away) => dot(away, aim) / Math.hypot(...away) / Math.hypot(...aim);
         const kind = light.getClassName();
         if (light.iesProfileTexture) continue; // azimuths are lost
+        if (kind === 'RectAreaLight') continue; // tests/programs renders it
         list.push({ name: light.name, lux:
             kind === 'DirectionalLight' ? () => level * -aim[2] / Math.hypot(...aim)
                 : kind === 'SpotLight' ? punctual(position, (away) => {

@@ -3,7 +3,8 @@
 // A profile is a SpotLight with a texture that is looked up at u = γ/180° only. Babylon's own .ies loader takes the
 // first plane and loses the candela; our texture stores the mean over C, with the peak as the light's intensity.
 // Falloff is glTF's: the inverse square with the window of a range; a spot falls as the square of a linear function of
-// the cosine. A panorama has +Z in its middle and +X to the right.
+// the cosine. A RectAreaLight is in nits and shines along −Z; it has no rotation, so that a node turns it. A panorama
+// has +Z in its middle and +X to the right.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -32,6 +33,25 @@ import { Light } from '@babylonjs/core/Lights/light.js';
 import { PointLight } from '@babylonjs/core/Lights/pointLight.js';
 import { SpotLight } from '@babylonjs/core/Lights/spotLight.js';
 import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js';
+)js";
+
+constexpr const char* area_imports = R"js(
+import { Quaternion } from '@babylonjs/core/Maths/math.vector.js';
+import { RectAreaLight } from '@babylonjs/core/Lights/rectAreaLight.js';
+import { TransformNode } from '@babylonjs/core/Meshes/transformNode.js';
+)js";
+
+// Its highlights need tables that Babylon.js loads from its own server.
+constexpr const char* area_text = R"js(
+function areaLight(scene, name, position, right, up, back, width, height) {
+    const node = new TransformNode(`${name} place`, scene);
+    node.position = new Vector3(...position);
+    const axes = [right, up, back].map((axis) => new Vector3(...axis));
+    node.rotationQuaternion = Quaternion.RotationQuaternionFromAxis(...axes);
+    const light = new RectAreaLight(name, Vector3.Zero(), width, height, scene);
+    light.parent = node;
+    return light;
+}
 )js";
 
 constexpr const char* helpers = R"js(
@@ -88,6 +108,12 @@ std::string entry(const SceneLight& light) {
     if (light.kind == LightKind::sun)
         return finish(fmt::format("new DirectionalLight({}, new Vector3(...{}), scene)", name, aim), "ILLUMINANCE",
                       light.lux);
+    if (light.kind == LightKind::rect)
+        // Right is the light's −X: the axes are left-handed.
+        return finish(fmt::format("areaLight(scene, {}, {}, {}, {}, {}, {}, {})", name, position,
+                                  vector(left_handed_y_up(-light.frame.x)), vector(left_handed_y_up(light.frame.y)),
+                                  vector(left_handed_y_up(light.frame.z)), light.width, light.height),
+                      "AUTOMATIC", light.nits);
     std::string made = fmt::format("new PointLight({}, new Vector3(...{}), scene)", name, position);
     if (light.kind == LightKind::spot)
         made = fmt::format("spotLight(scene, {}, {}, {}, {}, {})", name, position, aim, light.inner, light.outer);
@@ -110,14 +136,19 @@ std::vector<AssetFile> babylon_files(const SceneContent& scene) {
         profiles += fmt::format("    // {}\n    [\n{}    ],\n", describe(profile),
                                 number_lines(baked_picture(profile.web, rings).image.pixels));
     std::string lights;
-    for (const SceneLight& light : scene.lights)
+    bool areas = false;
+    for (const SceneLight& light : scene.lights) {
         lights += entry(light);
-    std::string text = fmt::format("// {}{}\n"
-                                   "// Texel i: the mean over C and from i to i + 1 degrees, over the peak.\n"
-                                   "const profiles = [\n{}];\n{}\n"
-                                   "// New lights in the scene, Y up and left-handed. Units in a metre: {}.\n"
-                                   "export function makeLights(scene) {{\n    return [\n{}    ];\n}}\n",
-                                   scene.description, imports, profiles, helpers, scene.units_per_meter, lights);
+        areas |= light.kind == LightKind::rect;
+    }
+    std::string text =
+        fmt::format("// {}{}\n"
+                    "// Texel i: the mean over C and from i to i + 1 degrees, over the peak.\n"
+                    "const profiles = [\n{}];\n{}\n"
+                    "// New lights in the scene, Y up and left-handed. Units in a metre: {}.\n"
+                    "export function makeLights(scene) {{\n    return [\n{}    ];\n}}\n",
+                    scene.description, areas ? std::string(imports) + (area_imports + 1) : imports, profiles,
+                    areas ? std::string(helpers) + area_text : helpers, scene.units_per_meter, lights);
     if (scene.sky) {
         using namespace fmt::literals;
         text += fmt::format(sky_text, "picture"_a = scene.sky->picture, "intensity"_a = scene.sky->nits_per_unit,

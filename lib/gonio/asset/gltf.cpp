@@ -1,26 +1,23 @@
 // glTF 2.0: a node for each light, in metres and Y up. Points, spots and suns are KHR_lights_punctual; a profile is
 // EXT_lights_ies with the portable profile (beside the .gltf, inside the .glb), and for readers without it a punctual
-// light of the same flux on the same node.
+// light of the same flux on the same node. Rectangles and disks are EXT_lights_area (a draft): nits, one side; `size`
+// is the height or the diameter, `aspect` the width over the height. They have a light of the same flux beside them
+// too.
 //
 // EXT_lights_ies: candela of the file × multiplier × colour, which is clamped to [0, 1]; the node's −Z is γ = 0. So the
 // colour is scaled to a greatest channel of 1, and the multiplier restores the luminance.
 #include <gonio/asset/detail/gltf_stage.hpp>
+#include <gonio/asset/detail/same_flux.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/base/version.hpp>
-#include <gonio/light/closed_forms.hpp>
-#include <gonio/web/zones.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 
 namespace gonio::asset_detail {
 
 namespace {
 
 using detail::Json;
-using std::numbers::pi;
 
 constexpr const char* mime_type = "application/x-ies-lm-63";
 
@@ -28,73 +25,41 @@ Json numbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-// Whether the light reaches a thousandth of its peak above the horizon.
-bool shines_up(const Web& web, Candelas peak) {
-    for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane)
-        for (std::size_t k = 0; k < web.gammas_deg().size(); ++k)
-            if (web.gammas_deg()[k] > 90.001 && web.column(plane)[k] > 1e-3 * peak.value) return true;
-    return false;
-}
-
-// Flux-weighted mean of cosγ below the horizon, from the exact flux of rings of 5°.
-double mean_cosine(const Web& web) {
-    constexpr double step_deg = 5.0;
-    double lumens = 0.0;
-    double weighted = 0.0;
-    for (int i = 0; i < 18; ++i) {
-        const double low = step_deg * i;
-        const double high = low + step_deg;
-        const double ring = zone_flux(web, low, high).value;
-        lumens += ring;
-        weighted += ring * 0.5 * (std::cos(low * pi / 180.0) + std::cos(high * pi / 180.0));
-    }
-    return lumens > 0.0 ? weighted / lumens : 0.0;
-}
-
-struct Cone {
-    double inner, outer; // half angles [rad]
-};
-
-// The cone for which glTF's lobe ((cosθ − cos outer)/(cos inner − cos outer))² is as narrow, that is, has the same mean
-// cosine. Without an inner cone the mean cosine is (3 + cos outer)/4; wider lobes end at the horizon and have an inner
-// cone.
-Cone cone_of(double mean_cosine) {
-    if (mean_cosine >= 0.75) return {0.0, std::acos(std::clamp(4.0 * mean_cosine - 3.0, 0.0, 1.0))};
-    // The mean cosine for an inner cosine c, (½ − ¼c²)/(1 − ⅔c), rises from ½ to ¾.
-    double low = 0.0;
-    double high = 1.0;
-    for (int step = 0; step < 60; ++step) {
-        const double c = 0.5 * (low + high);
-        (((0.5 - 0.25 * c * c) / (1.0 - 2.0 / 3.0 * c) < mean_cosine) ? low : high) = c;
-    }
-    return {std::acos(low), 0.5 * pi};
-}
-
 Json spot_cone(double inner, double outer) {
     return {{"innerConeAngle", inner}, {"outerConeAngle", outer}};
 }
 
 // A light of the same flux: a point if the profile emits upwards too, else a spot about as narrow.
-Json fallback(const MeasuredLight& light, const std::string& name, const ScaledColor& color) {
+Json fallback(const SameFlux& same, const std::string& name, const ScaledColor& color) {
     Json json{{"name", name}, {"color", numbers(color.rgb)}};
-    if (shines_up(light.web, light.peak)) {
-        json["type"] = "point";
-        json["intensity"] = color.factor * light.flux.value / (4.0 * pi);
-        return json;
-    }
-    const auto [inner, outer] = cone_of(mean_cosine(light.web));
-    const double widest_inner = std::min(inner, 0.999 * outer); // below the outer angle, as the format requires
-    json["type"] = "spot";
-    json["intensity"] =
-        color.factor * light.flux.value / closed_form::spot_solid_angle(Falloff::frostbite, widest_inner, outer);
-    json["spot"] = spot_cone(widest_inner, outer);
+    json["type"] = same.is_point ? "point" : "spot";
+    json["intensity"] = color.factor * same.intensity;
+    if (!same.is_point) json["spot"] = spot_cone(same.inner, same.outer);
+    return json;
+}
+
+bool is_area(const SceneLight& light) {
+    return light.kind == LightKind::rect || light.kind == LightKind::disk;
+}
+
+// The light as EXT_lights_area describes it.
+Json area(const SceneLight& light) {
+    const ScaledColor color = scaled(light.color);
+    const bool is_rect = light.kind == LightKind::rect;
+    Json json{{"name", light.name},
+              {"type", is_rect ? "rect" : "disk"},
+              {"color", numbers(color.rgb)},
+              {"intensity", color.factor * light.nits},
+              {"size", is_rect ? light.height : 2.0 * light.radius}};
+    if (is_rect) json["rect"] = {{"aspect", light.width / light.height}};
     return json;
 }
 
 // The light as KHR_lights_punctual describes it.
 Json punctual(const SceneLight& light, const SceneContent& scene) {
     const ScaledColor color = scaled(light.color);
-    if (light.kind == LightKind::profile) return fallback(scene.profiles[light.profile], light.name, color);
+    if (light.kind == LightKind::profile) return fallback(same_flux(scene.profiles[light.profile]), light.name, color);
+    if (is_area(light)) return fallback(same_flux_as_area(light.intensity), light.name, color);
     Json json{{"name", light.name}, {"color", numbers(color.rgb)}};
     json["type"] = light.kind == LightKind::sun ? "directional" : light.kind == LightKind::spot ? "spot" : "point";
     json["intensity"] = color.factor * (light.kind == LightKind::sun ? light.lux : light.intensity);
@@ -105,6 +70,7 @@ Json punctual(const SceneLight& light, const SceneContent& scene) {
 // The document without its buffers and buffer views; `profiles` states where each profile is.
 Json document(const SceneContent& scene, Json profiles, const GltfStage& stage) {
     Json lights = Json::array();
+    Json areas = Json::array();
     Json nodes = stage.nodes;
     for (const SceneLight& light : scene.lights) {
         Json node{{"name", light.name}, {"rotation", gltf_rotation(light.frame)}};
@@ -117,12 +83,20 @@ Json document(const SceneContent& scene, Json profiles, const GltfStage& stage) 
             node["extras"] = {{"flux_lm", scene.profiles[light.profile].flux.value},
                               {"peak_cd", scene.profiles[light.profile].peak.value}};
         }
+        if (is_area(light)) {
+            node["extensions"]["EXT_lights_area"] = {{"light", areas.size()}};
+            areas.push_back(area(light));
+        }
         node["extensions"]["KHR_lights_punctual"] = {{"light", lights.size()}};
         nodes.push_back(std::move(node));
         lights.push_back(punctual(light, scene));
     }
     Json used = Json::array();
     Json extensions = Json::object();
+    if (!areas.empty()) {
+        used.push_back("EXT_lights_area");
+        extensions["EXT_lights_area"] = {{"lights", std::move(areas)}};
+    }
     if (!scene.profiles.empty()) {
         used.push_back("EXT_lights_ies");
         for (std::size_t i = 0; i < scene.profiles.size(); ++i)

@@ -2,9 +2,10 @@
 //
 // An omni light of φ lm emits φ/4π cd, a spot of φ lm emits φ/π cd on its axis, whatever its cone. A spot falls as
 // 1 − ((1 − cosθ)/(1 − cos outer))^p, where p is spot_angle_attenuation: linear over the cosine for p = 1, with a hard
-// edge for large p. With an attenuation of 2, the distance falloff is the inverse square times the window of the range.
-// Every light has a range: if the light does not specify one, the window takes away at most
-// `window_loss_lx`.
+// edge for large p. An area light of φ lm has φ/2π cd on its axis, twice that of a Lambertian one of its flux, spread
+// over its area (area_normalize_energy); it came with Godot 4.7. With an attenuation of 2, the distance falloff is the
+// inverse square times the window of the range. Every light has a range: if the light does not specify one, the window
+// takes away at most `window_loss_lx`.
 //
 // A profile that stays within 60° of its aim is a spot of large p with a projector that is a plane across the aim, −Z
 // (up is +Y, right +X). Other profiles are omni lights with a panorama: its first row is −Y and its middle is +Z,
@@ -109,6 +110,12 @@ std::string node(const SceneLight& light, const SceneContent& scene) {
     case LightKind::projector:
         spot(widened(cone_of(scene.images[light.image])), edge_power);
         amount += fmt::format("light_projector = ExtResource(\"image_{}\")\nshadow_enabled = true\n", light.image + 1);
+        break;
+    case LightKind::rect:
+        type = "AreaLight3D";
+        amount = fmt::format("light_intensity_lumens = {}\narea_size = Vector2({}, {})\narea_range = {}\n"
+                             "area_attenuation = 2.0\narea_normalize_energy = true\n",
+                             2.0 * pi * color.factor * light.intensity, light.width, light.height, reach);
         break;
     default:
         omni();

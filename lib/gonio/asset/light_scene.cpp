@@ -195,6 +195,15 @@ ProfileKey profile_key(const Light& light) {
     return key;
 }
 
+// What the target loses of a profile, for a report; empty: nothing.
+std::string loss_of_profile(const Target& target, const MeasuredLight& profile) {
+    if (!target.holds.profiles)
+        return fmt::format("{} does not have profiles: written as a spot or a point of the same flux", target.name);
+    if (!target.holds.azimuths && profile.web.stored_symmetry() != Symmetry::axial)
+        return fmt::format("{} does not have azimuths: the profile is averaged over them", target.name);
+    return {};
+}
+
 class SceneBuilder {
 public:
     SceneBuilder(const Target& target, const LightSceneOptions& options)
@@ -264,6 +273,8 @@ private:
         Result<std::size_t> profile = index_of_profile(light, made);
         if (!profile) return pass_on(profile);
         made.profile = *profile;
+        if (std::string lost = loss_of_profile(target_, content_.profiles[made.profile]); !lost.empty())
+            say(light, lost);
         made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
         return place_as(LightKind::profile, std::move(made));
     }
@@ -357,6 +368,10 @@ private:
     Result<void> place_far(const Light& light, SceneLight made, std::string_view why,
                            std::string_view what = "a point") {
         const LightImage* const image = mask_of(light.shape).image;
+        if (!target_.holds.profiles) {
+            say(light, std::string(why)); // place_profile() says what stands for it
+            return place_profile(light, std::move(made));
+        }
         say(light, fmt::format("{}: written as {} with the same intensity in every direction{}", why, what,
                                image != nullptr && image->is_colored() ? ", without the colours of its image" : ""));
         return place_profile(light, std::move(made));
@@ -573,7 +588,10 @@ Result<LightScene> light_scene(const Target& target, const MeasuredLight& light,
     placed.intensity = light.peak.value * scale.intensity;
     content.profiles.push_back(light);
     content.lights.push_back(std::move(placed));
-    return LightScene{target.files(content), {}};
+    std::vector<std::string> instead;
+    if (const std::string lost = loss_of_profile(target, light); !lost.empty())
+        instead.push_back(fmt::format("light '{}': {}", light.name, lost));
+    return LightScene{target.files(content), std::move(instead)};
 }
 
 } // namespace gonio

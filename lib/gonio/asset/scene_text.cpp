@@ -1,5 +1,6 @@
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
+#include <gonio/base/base64.hpp>
 #include <gonio/base/json.hpp>
 
 #include <fmt/format.h>
@@ -38,6 +39,16 @@ std::string identifier(std::string_view name) {
     for (const char c : name)
         plain += c == '-' || c == '.' ? '_' : c;
     return plain[0] >= '0' && plain[0] <= '9' ? "_" + plain : plain;
+}
+
+std::string texels_in_base64(const std::vector<double>& texels) {
+    std::string bytes;
+    for (const double texel : texels) {
+        const auto value = static_cast<unsigned>(std::lround(65535.0 * std::clamp(texel, 0.0, 1.0)));
+        bytes += static_cast<char>(value & 0xffU);
+        bytes += static_cast<char>(value >> 8);
+    }
+    return base64(bytes);
 }
 
 ScaledColor scaled(const glm::dvec3& color) {

@@ -11,9 +11,11 @@ namespace gonio {
 // Each is defined in the target's own file.
 namespace asset_detail {
 std::vector<AssetFile> babylon_files(const SceneContent& scene);
+std::vector<AssetFile> filament_files(const SceneContent& scene);
 std::vector<AssetFile> gltf_files(const SceneContent& scene);
 std::vector<AssetFile> godot_files(const SceneContent& scene);
 std::vector<AssetFile> luxcore_files(const SceneContent& scene);
+std::vector<AssetFile> playcanvas_files(const SceneContent& scene);
 std::vector<AssetFile> raw_files(const SceneContent& scene);
 std::vector<AssetFile> threejs_files(const SceneContent& scene);
 std::vector<AssetFile> unity_files(const SceneContent& scene);
@@ -24,6 +26,7 @@ namespace {
 
 // Kinds of light that targets have besides profiles.
 constexpr std::array point_sun{LightKind::point, LightKind::sun};
+constexpr std::array point_disk_rect_sun{LightKind::point, LightKind::disk, LightKind::rect, LightKind::sun};
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
 constexpr std::array point_rect_tube_sun{LightKind::point, LightKind::rect, LightKind::tube, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
@@ -40,6 +43,11 @@ constexpr TargetSky no_gltf_sky{
     SkyPictureKind::none, false, false,
     "glTF has no skies of its own, and the extension EXT_lights_image_based takes filtered pictures of 8 bits"};
 
+constexpr TargetSky no_filament_sky{SkyPictureKind::none, false, false,
+                                    "Filament reads skies as KTX files that its own tool, cmgen, filters"};
+constexpr TargetSky no_playcanvas_sky{SkyPictureKind::none, false, false,
+                                      "PlayCanvas keeps a sky as a picture of 8 bits that it filters itself"};
+
 // Projectors within the cone of a spot lose too many texels when they are wider.
 constexpr double widest_cone_deg = 75.0;
 constexpr TargetImages in_cones{widest_cone_deg, false, {}};
@@ -47,10 +55,15 @@ constexpr TargetImages in_narrow_cones{60.0, false, {}}; // Godot's cones are wi
 constexpr TargetImages everywhere{90.0, true, {}};
 constexpr TargetImages panels_alone{0.0, true, {}};
 
-constexpr TargetHolds gltf_holds{point_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter, false,
-                                 false,     no_gltf_sky};
-constexpr TargetHolds babylon_holds{point_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false,
-                                    false,     latlong_hdr};
+constexpr TargetHolds gltf_holds{
+    point_disk_rect_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter, false, false, no_gltf_sky};
+constexpr TargetHolds babylon_holds{
+    point_rect_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false, false, latlong_hdr, {}, false, true,
+    false};
+constexpr TargetHolds filament_holds{point_sun, Falloff::frostbite, true, true,  90.0, TargetLength::any, false,
+                                     false,     no_filament_sky,    {},   false, false};
+constexpr TargetHolds playcanvas_holds{point_sun, Falloff::smoothstep_cos, true, true, 89.0, TargetLength::any, false,
+                                       false,     no_playcanvas_sky};
 constexpr TargetHolds threejs_holds{
     point_rect_sun, Falloff::smoothstep_cos, true, true, 90.0, TargetLength::any, false, false, latlong, in_cones};
 constexpr TargetHolds blender_holds{
@@ -67,8 +80,8 @@ constexpr TargetHolds radiance_holds{all_kinds,         std::nullopt, false, fal
 constexpr TargetHolds usd_holds{
     all_kinds, Falloff::smoothstep_angle, true,        false, 90.0, TargetLength::any, false,
     false,     latlong_or_uniform,        panels_alone};
-constexpr TargetHolds godot_holds{point_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false,
-                                  latlong,   in_narrow_cones};
+constexpr TargetHolds godot_holds{
+    point_rect_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false, latlong, in_narrow_cones};
 constexpr TargetHolds unity_holds{
     point_rect_tube_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter, true, false, latlong, in_cones};
 constexpr TargetHolds unreal_holds{
@@ -83,8 +96,10 @@ constexpr std::array all{
         "-Y from the origin until moved. addSky(scene), where there is a sky, sets the scene's environment.",
         "Babylon.js 9.34 in Node.js makes the lights, which light points as the rig's do; textures, sampled as the "
         "shader does, have the profile's means over C. The cube that it makes of a sky gives five planes their lux to "
-        "1 %.",
-        "No picture was rendered. Babylon looks the profile up by the angle to the axis alone: azimuths are averaged.",
+        "1 %. In Chromium it draws points, spots, rectangles, suns and skies as probe has them, to 0.4 %.",
+        "Babylon looks the profile up by the angle to the axis alone: azimuths are averaged, and a street light is off "
+        "by 57 "
+        "%. The highlights of rectangles need tables that Babylon loads from its own server.",
         babylon_holds, asset_detail::babylon_files},
     Target{
         "blender", "Blender: a script that makes the lights for Cycles, with the profiles inside",
@@ -95,17 +110,28 @@ constexpr std::array all{
         "the greatest anywhere, and that of a rig's lights of every kind to 0.1 % in the mean, luminaires with a size, "
         "masks and images among them; a stage under a sky to 0.2 % in the mean; 177.83 lm are a watt, as Blender's IES "
         "node counts.",
-        "EEVEE ignores IES nodes. Between the table's lines Cycles interpolates by cubics, which differs a little "
+        "EEVEE ignores IES nodes, so that profiles, spots and images are lost, and meshes do not light it. Between the "
+        "table's lines Cycles interpolates by cubics, which differs a little "
         "from every other reader; near a sphere light, older Cycles samples a disk in its place.",
         blender_holds, asset_detail::blender_files},
-    Target{"gltf", "glTF 2.0, .gltf and .glb: KHR_lights_punctual, and EXT_lights_ies for profiles",
-           "Load NAME.gltf (with the .ies beside it) or NAME.glb (all in one file): a node for each light; that of a "
-           "luminaire alone shines down -Y, C0 along +X.",
-           "The Khronos validator finds no error. It does not know EXT_lights_ies, whose schema and indices are tested "
-           "here.",
-           "Readers of EXT_lights_ies are few, and treat azimuths in their own way. Others see the fallback: a spot or "
-           "point light of the same flux, without the profile.",
-           gltf_holds, asset_detail::gltf_files},
+    Target{"filament", "Filament: a module for its WebAssembly that makes the lights",
+           "import { makeLights } from './NAME.js' and call makeLights(Filament, engine, scene), which returns their "
+           "entities by name; a luminaire alone shines down -Y from the origin. With setExposureDirect(1) a pixel is a "
+           "luminance.",
+           "Filament 1.53 draws points, spots and suns as probe has them, to 0.3 %.",
+           "Filament has no profiles and no area lights: a spot or a point of the same flux stands for them. A scene "
+           "has one sun.",
+           filament_holds, asset_detail::filament_files},
+    Target{
+        "gltf", "glTF 2.0, .gltf and .glb: KHR_lights_punctual, EXT_lights_ies for profiles, EXT_lights_area",
+        "Load NAME.gltf (with the .ies beside it) or NAME.glb (all in one file): a node for each light; that of a "
+        "luminaire alone shines down -Y, C0 along +X.",
+        "The Khronos validator finds no error. It does not know EXT_lights_ies and EXT_lights_area, whose indices are "
+        "tested here. three.js r187 draws points and suns as probe has them.",
+        "Readers of EXT_lights_ies are few, and treat azimuths in their own way; EXT_lights_area is a draft. Others "
+        "see the fallback: a spot or point light of the same flux. three.js draws every spot as smoothstep over the "
+        "cosine: 30 % off.",
+        gltf_holds, asset_detail::gltf_files},
     Target{"godot", "Godot 4: a scene of lights in physical units, with projector textures",
            "Copy the files into a project, turn Rendering > Lights and Shadows > Use Physical Light Units on, and "
            "instance NAME.tscn; a luminaire alone shines down -Y, C0 along +X. Not for the Compatibility renderer. A "
@@ -113,7 +139,8 @@ constexpr std::array all{
            "its WorldEnvironment, of which a tree has one.",
            "By the formulas of Godot's shaders, projectors and skies among them, the text lights points as the rig's "
            "lights and sky do.",
-           "Nothing was run in Godot. Projectors have 8 bits, and the engine packs them into an atlas of its own size.",
+           "Nothing was run in Godot. Projectors have 8 bits, and the engine packs them into an atlas of its own size. "
+           "Rectangles are AreaLight3D, which came with Godot 4.7; its baked and bounced light differs there.",
            godot_holds, asset_detail::godot_files},
     Target{"luxcore", "LuxCore: scene properties (.scn) with the portable profiles",
            "Add NAME.scn to the scene's properties and run where the .ies lie; a luminaire alone shines along -Z, C0 "
@@ -140,6 +167,15 @@ constexpr std::array all{
         "the lux of a sky on five planes.",
         "pbrt itself was not run. It looks the image up without filtering, and `power` gives it the flux in lumens.",
         pbrt_holds, asset_detail::pbrt_files},
+    Target{"playcanvas", "PlayCanvas: a module that makes the lights, with profiles as cookies",
+           "import { makeLights } from './NAME.js' and call makeLights(app) before anything is drawn; it returns the "
+           "entities. A luminaire alone shines down -Y from the origin. With an exposure of 1 a pixel is a luminance.",
+           "PlayCanvas 2.23 draws points, spots, suns and profiles as probe has them, to 0.3 %, without clustered "
+           "lighting.",
+           "PlayCanvas has 16/(d^2 + 1) for the inverse square: the module puts 1/d^2 in its place, for other lights "
+           "too. With clustered lighting, the default, spots are off by 2 % and a street light by 59 %: turn "
+           "scene.clusteredLightingEnabled off. WebGPU was not run.",
+           playcanvas_holds, asset_detail::playcanvas_files},
     Target{
         "radiance", "Radiance: lights as .rad, profiles as .dat and .cal",
         "oconv NAME.rad ROOM.rad > NAME.oct where the files lie; numbers are W/sr/m2, of which Radiance makes nits by "
@@ -164,10 +200,10 @@ constexpr std::array all{
         "WebGPURenderer; a luminaire alone shines down -Y from the origin. await addSky(scene), where there is a sky, "
         "sets the scene's environment.",
         "three.js r187 in Node.js makes the lights, which light points as the rig's do; textures, sampled as the "
-        "shader does, have the profile's intensities in every direction, and skies their lux on five planes.",
-        "No picture was rendered. Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores "
-        "profiles.",
-        threejs_holds, asset_detail::threejs_files},
+        "shader does, have the profile's intensities in every direction, and skies their lux on five planes. In "
+        "Chromium, WebGPURenderer draws every kind as probe has it, to 0.4 %.",
+        "Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores profiles.", threejs_holds,
+        asset_detail::threejs_files},
     Target{
         "unity", "Unity: portable profiles, spot and point cookies, and a script that makes the lights",
         "Copy the files under Assets, NAME.cs into a folder named Editor there; GameObject > Light > NAME makes the "

@@ -89,7 +89,7 @@ struct TargetImages {
 // A target's unit of length.
 enum class TargetLength { any, meter, centimeter, none };
 
-// The kinds of light that a target has; every target has profiles.
+// The kinds of light that a target has.
 struct TargetHolds {
     std::span<const LightKind> kinds;    // besides profiles and spots
     std::optional<Falloff> spot_falloff; // of its spots; nothing: it has no spots
@@ -102,6 +102,8 @@ struct TargetHolds {
     TargetSky sky = {};
     TargetImages images = {};
     bool near_profiles = false; // its area lights take a profile and divide it by a projected area
+    bool profiles = true;       // false: a spot or a point of the same flux stands for a profile
+    bool azimuths = true;       // false: it averages a profile over them
 };
 
 // A program that files are written for, as `gonio list targets` shows it.

@@ -16,12 +16,9 @@
 // right, in nits of its texels × `environmentIntensity`.
 #include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
-#include <gonio/base/base64.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace gonio::asset_detail {
@@ -29,17 +26,6 @@ namespace gonio::asset_detail {
 namespace {
 
 constexpr int columns = 181;
-
-// Texels from 0 to 1 as unsigned 16-bit numbers in base64, the lower byte first.
-std::string texels_in_base64(const std::vector<double>& texels) {
-    std::string bytes;
-    for (const double texel : texels) {
-        const auto value = static_cast<unsigned>(std::lround(65535.0 * std::clamp(texel, 0.0, 1.0)));
-        bytes += static_cast<char>(value & 0xffU);
-        bytes += static_cast<char>(value >> 8);
-    }
-    return base64(bytes);
-}
 
 // { "height": rows, "texels": … } of a profile; one row for an axial light.
 std::string texture_of(const Web& web, Candelas peak) {

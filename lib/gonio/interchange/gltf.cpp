@@ -240,11 +240,11 @@ private:
                        ? extensions->find(gltf_light_extensions[static_cast<std::size_t>(which)])
                        : nullptr;
         };
-        // A profile has a punctual light beside it for programs without profiles.
-        const bool has_profile = extension(GltfLights::ies) != nullptr;
+        // Profiles and areas have a punctual light beside them for programs without them.
+        const bool has_better = extension(GltfLights::ies) != nullptr || extension(GltfLights::area) != nullptr;
         for (const GltfLights which : {GltfLights::punctual, GltfLights::ies, GltfLights::area}) {
             const Json* const value = extension(which);
-            if (value == nullptr || (which == GltfLights::punctual && has_profile)) continue;
+            if (value == nullptr || (which == GltfLights::punctual && has_better)) continue;
             const Json* const light = value->find("light");
             if (light == nullptr || !light->is_unsigned())
                 return wrong("SCN0105", at,

@@ -488,6 +488,80 @@ TEST(LightScene, OfGltfHasIndicesAndPlaces) {
     }
 }
 
+// Rectangles and disks have their luminance and size, and a light of the same flux beside them.
+TEST(LightScene, OfGltfHasAreas) {
+    const std::vector<Light> lights = studio();
+    const LightScene scene = *light_scene(**find_target("gltf"), lights, {"studio", "", Meters(1.0)});
+    const json document = json::parse(scene.files[0].bytes);
+    const json& extensions = document["extensions"];
+    std::size_t areas = 0;
+    for (const json& node : document["nodes"]) {
+        if (!node["extensions"].contains("EXT_lights_area")) continue;
+        ++areas;
+        const json& area =
+            extensions["EXT_lights_area"]["lights"][node["extensions"]["EXT_lights_area"]["light"].get<std::size_t>()];
+        const json& punctual = extensions["KHR_lights_punctual"]["lights"]
+                                         [node["extensions"]["KHR_lights_punctual"]["light"].get<std::size_t>()];
+        EXPECT_EQ(area["name"], node["name"]);
+        const double size = area["size"];
+        const double square_meters =
+            area["type"] == "rect" ? size * size * area["rect"]["aspect"].get<double>() : 0.25 * pi * size * size;
+        const double lumens = pi * square_meters * area["intensity"].get<double>();
+        EXPECT_NEAR(lumens, node["name"] == "panel" ? 2000.0 : 450.0, 1e-9); // the disk's, of each of its sides
+        const double solid_angle =
+            closed_form::spot_solid_angle(Falloff::frostbite, punctual["spot"]["innerConeAngle"].get<double>(),
+                                          punctual["spot"]["outerConeAngle"].get<double>());
+        EXPECT_NEAR(punctual["intensity"].get<double>() * solid_angle, lumens, 1e-9);
+    }
+    EXPECT_EQ(areas, 3U); // the panel, and the disk with its back
+}
+
+// Filament takes lumens, of which a spot has π for a candela; it has no profiles.
+TEST(LightScene, OfFilamentIsInLumens) {
+    const std::vector<Light> lights = studio();
+    const LightScene scene = *light_scene(**find_target("filament"), lights, {"studio", "", Meters(1.0)});
+    const std::string text = scene.files[0].bytes;
+    EXPECT_NE(text.find(fmt::format("[\"point\", light(Filament, 'POINT', [1, 1, 1], {}", 4.0 * pi * 40.0)),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("[\"sun\", light(Filament, 'SUN', [1, 1, 1], 500, "), std::string::npos) << text;
+    for (const Light& light : lights) {
+        if (light.name != "default") continue;
+        EXPECT_NE(
+            text.find(fmt::format("[\"default\", light(Filament, 'SPOT', [1, 1, 1], {}", pi * light.intensity.value)),
+            std::string::npos)
+            << text;
+    }
+    const auto alone = light_scene(**find_target("filament"), delivered("street.ies"));
+    ASSERT_EQ(alone->instead.size(), 1U);
+    EXPECT_NE(alone->instead[0].find("does not have profiles"), std::string::npos);
+}
+
+// All of PlayCanvas' amounts are over π, and profiles are cookies.
+TEST(LightScene, OfPlayCanvasIsOverPi) {
+    const std::vector<Light> lights = studio();
+    const LightScene scene = *light_scene(**find_target("playcanvas"), lights, {"studio", "", Meters(1.0)});
+    const std::string text = scene.files[0].bytes;
+    EXPECT_NE(text.find(fmt::format(", {}, 4 * Math.PI, [1, 1, 1], {{ range: ", 40.0 / pi)), std::string::npos) << text;
+    EXPECT_NE(text.find(fmt::format(", {}, 1, [1, 1, 1], {{  }})", 500.0 / pi)), std::string::npos) << text;
+    EXPECT_NE(text.find("cookie: cookies[0], cookieChannel: 'rrr'"), std::string::npos);
+}
+
+// Godot counts 2π lumens for a candela of an area light.
+TEST(LightScene, OfGodotHasAreas) {
+    const std::vector<Light> lights = studio();
+    for (const Light& light : lights) {
+        if (light.name != "panel") continue;
+        const LightScene scene = *light_scene(**find_target("godot"), {&light, 1}, {"studio", "", Meters(1.0)});
+        const std::string text = scene.files[0].bytes;
+        EXPECT_NE(text.find(fmt::format("type=\"AreaLight3D\"")), std::string::npos) << text;
+        EXPECT_NE(text.find(fmt::format("light_intensity_lumens = {}\narea_size = Vector2(0.6, 0.3)",
+                                        2.0 * pi * light.intensity.value)),
+                  std::string::npos)
+            << text;
+    }
+}
+
 // The shapes, sizes and amounts of pbrt's lights, each checked separately.
 TEST(LightScene, OfPbrtHoldsEveryKind) {
     const std::vector<Light> lights = studio();

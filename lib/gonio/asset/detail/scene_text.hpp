@@ -58,6 +58,9 @@ std::string triple(const glm::dvec3& v, std::string_view separator = ", ");
 // A name for languages that allow only letters, digits and '_', and no digit first.
 std::string identifier(std::string_view name);
 
+// Numbers from 0 to 1 as unsigned 16-bit numbers in base64, the lower byte first.
+std::string texels_in_base64(const std::vector<double>& texels);
+
 // A colour with a greatest channel of 1, and the factor that restores its luminance.
 struct ScaledColor {
     glm::dvec3 rgb;
