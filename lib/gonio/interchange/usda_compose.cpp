@@ -163,7 +163,7 @@ private:
         const auto index = static_cast<std::uint32_t>(layers_.size());
         Result<UsdLayer> parsed = parse_usda(text, source);
         if (!parsed) return pass_on(parsed);
-        about.places = LinePlaces(text, source);
+        about.places = UsdPlaces(text, source);
         stage_.sources.push_back(std::move(about));
         layers_.emplace_back();
         ParsedLayer& made = layers_.back();
@@ -194,10 +194,10 @@ private:
 
     // A layer that another one names; nothing if it is missing, which is said.
     Result<std::optional<std::uint32_t>> layer_of(std::uint32_t from, const UsdArc& arc) {
-        const Location at = stage_.place(from, arc.at);
+        const auto place = [&] { return stage_.place(from, arc.at); };
         const std::string written = shown(arc.asset);
         const auto missing = [&](std::string why, std::string hint = {}) -> Result<std::optional<std::uint32_t>> {
-            warn("SCN0107", at, fmt::format("the layer '{}' is left out: {}", written, why), std::move(hint));
+            warn("SCN0107", place(), fmt::format("the layer '{}' is left out: {}", written, why), std::move(hint));
             return std::optional<std::uint32_t>();
         };
         if (arc.asset.starts_with('`')) return missing("its name is an expression");
@@ -209,7 +209,7 @@ private:
         if (about.archive == stage_.sources[0].archive && about.name == stage_.sources[0].name)
             return known->second = 0U;
         if (by_name_.size() > limit("scene-layers").value)
-            return scene_error("SCN0108", at, fmt::format("more than {}", to_text(limit("scene-layers"))),
+            return scene_error("SCN0108", place(), fmt::format("more than {}", to_text(limit("scene-layers"))),
                                std::string(limits_hint));
         std::string_view text;
         std::string source;
@@ -239,7 +239,7 @@ private:
             if (!archive) return pass_on(archive);
             about.archive = static_cast<int>(stage_.archives.size());
             stage_.archives.push_back(std::move(*archive));
-            Result<std::optional<std::string_view>> first = first_layer(about.archive, at, false);
+            Result<std::optional<std::string_view>> first = first_layer(about.archive, place(), false);
             if (!first) return pass_on(first);
             if (!*first) return std::optional<std::uint32_t>();
             const ArchiveEntry& entry = stage_.archives.back().entries().front();
@@ -256,7 +256,7 @@ private:
         const UsdLayer& layer = layers_[*made].layer;
         const UsdLayer& root = layers_.front().layer;
         if (layer.meters_per_unit != root.meters_per_unit || layer.up != root.up)
-            warn("SCN0201", at,
+            warn("SCN0201", place(),
                  fmt::format(
                      "the layer '{}' has another unit or axis than the scene: as in USD, its lengths and axes are "
                      "taken as those of the scene",
@@ -334,11 +334,9 @@ private:
         }
     }
 
-    // All sites of a path in a stack of layers. NOLINTNEXTLINE(misc-no-recursion): as deep as scene-depth
-    Result<const std::vector<Site>*> sites_of(std::uint32_t stack, const std::string& path, const Site& from,
-                                              std::size_t at) {
-        const std::pair<std::uint32_t, std::string> key(stack, path);
-        if (const auto known = sites_by_path_.find(key); known != sites_by_path_.end()) return &known->second;
+    // What is composed now, from the outside in: each once, and not too deep.
+    Result<void> enter(std::uint32_t stack, const std::string& path, const Site& from, std::size_t at) {
+        std::pair<std::uint32_t, std::string> key(stack, path);
         if (std::find(active_.begin(), active_.end(), key) != active_.end())
             return scene_error("SCN0104", place_of(from, at),
                                fmt::format("the prim '{}' is composed of itself", shown(path)));
@@ -346,23 +344,42 @@ private:
             return scene_error("SCN0108", place_of(from, at),
                                fmt::format("references nested deeper than {}", to_text(limit("scene-depth"))),
                                std::string(limits_hint));
+        active_.push_back(std::move(key));
+        return {};
+    }
+
+    // The sites of a path in a stack of layers, without what they are composed of: children of all that its parent is
+    // composed of. NOLINTNEXTLINE(misc-no-recursion): as deep as scene-depth
+    Result<std::vector<Site>> base_of(std::uint32_t stack, const std::string& path, const Site& from, std::size_t at) {
+        const std::size_t slash = path.rfind('/');
+        Result<const std::vector<Site>*> parents = sites_of(stack, path.substr(0, slash), from, at);
+        if (!parents) return pass_on(parents);
+        std::vector<Site> own;
+        add_children_named(**parents, std::string_view(path).substr(slash + 1), own);
+        return own;
+    }
+
+    // All sites of a path, where nothing outside selects variants.
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as scene-depth
+    Result<const std::vector<Site>*> sites_of(std::uint32_t stack, const std::string& path, const Site& from,
+                                              std::size_t at) {
+        const std::pair<std::uint32_t, std::string> key(stack, path);
+        if (const auto known = sites_by_path_.find(key); known != sites_by_path_.end()) return &known->second;
         std::vector<Site> sites;
         if (path.empty()) {
             sites = root_of(stack);
         } else {
-            active_.push_back(key);
-            const std::size_t slash = path.rfind('/');
-            Result<const std::vector<Site>*> parents = sites_of(stack, path.substr(0, slash), from, at);
-            if (!parents) return parents;
-            std::vector<Site> own;
-            add_children_named(**parents, std::string_view(path).substr(slash + 1), own);
-            if (Result<void> expanded = expand(own, sites); !expanded) return pass_on(expanded);
+            if (Result<void> entered = enter(stack, path, from, at); !entered) return pass_on(entered);
+            Result<std::vector<Site>> base = base_of(stack, path, from, at);
+            if (!base) return pass_on(base);
+            if (Result<void> expanded = expand(*base, sites); !expanded) return pass_on(expanded);
             active_.pop_back();
         }
         return &(sites_by_path_[key] = std::move(sites));
     }
 
     // What the sites of a prim are composed of, each followed by its arcs.
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as scene-depth
     Result<void> expand(const std::vector<Site>& base, std::vector<Site>& sites) {
         for (std::size_t begin = 0; begin < base.size();) {
             std::size_t end = begin + 1;
@@ -476,17 +493,17 @@ private:
             return scene_error(
                 "SCN0104", place_of(site, arc.at),
                 fmt::format("the prim '{}' is composed of itself or of a prim that it is in", shown(path_of(site))));
-        Result<const std::vector<Site>*> target = sites_of(stack, path, site, arc.at);
+        if (Result<void> entered = enter(stack, path, site, arc.at); !entered) return entered;
+        Result<std::vector<Site>> target = base_of(stack, path, site, arc.at);
         if (!target) return pass_on(target);
-        if ((*target)->empty() && arc.kind != UsdArcKind::inherit && arc.kind != UsdArcKind::specialize)
+        if (target->empty() && arc.kind != UsdArcKind::inherit && arc.kind != UsdArcKind::specialize)
             warn("SCN0107", place_of(site, arc.at), fmt::format("there is no prim '{}' to refer to", shown(path)));
         const Times times = site.times.of(arc.offset, arc.scale);
-        for (const Site& one : **target)
-            sites.push_back({one.stack, one.layer, one.prim, times.of(one.times.offset, one.times.scale)});
-        constexpr std::size_t most = 10000;
-        if (sites.size() > most)
-            return scene_error("SCN0108", place_of(site, arc.at),
-                               fmt::format("a prim is composed of more than {} others", most));
+        for (Site& one : *target)
+            one.times = times.of(one.times.offset, one.times.scale);
+        // In the same list, so that the stronger sites in it select variants.
+        if (Result<void> expanded = expand(*target, sites); !expanded) return expanded;
+        active_.pop_back();
         return {};
     }
 
@@ -516,16 +533,16 @@ private:
             child.depth = open.back().depth + 1;
             active_.clear();
             if (Result<void> expanded = expand(own, child.sites); !expanded) return expanded;
-            const Location at = place_of(own.front(), prim_at(own.front()).offset);
+            const auto at = [&] { return place_of(own.front(), prim_at(own.front()).offset); };
             if (child.depth > limit("scene-depth").value)
                 return scene_error(
-                    "SCN0108", at,
+                    "SCN0108", at(),
                     fmt::format("nested deeper than {}, references included", to_text(limit("scene-depth"))));
             constexpr std::size_t most_prims = 1000000;
             constexpr std::size_t most_sites = 4000000;
             composed_sites_ += child.sites.size();
             if (stage_.layer.prims.size() >= most_prims || composed_sites_ > most_sites)
-                return scene_error("SCN0108", at, fmt::format("more than {} prims, references included", most_prims));
+                return scene_error("SCN0108", at(), fmt::format("more than {} prims, references included", most_prims));
             child.prim = static_cast<std::uint32_t>(stage_.layer.prims.size());
             stage_.layer.prims.push_back(merged(child.sites, open.back().prim));
             list_children(child);
@@ -599,6 +616,29 @@ private:
 };
 
 } // namespace
+
+Location UsdPlaces::at(std::size_t offset) {
+    constexpr std::size_t block_size = 16384;
+    offset = std::min(offset, text_.size());
+    Block here;
+    const auto count = [&](std::size_t begin, std::size_t end) {
+        const std::string_view part = text_.substr(0, end);
+        for (std::size_t at = part.find('\n', begin); at < end; at = part.find('\n', at + 1)) {
+            ++here.lines;
+            here.line_begin = at + 1;
+        }
+    };
+    if (blocks_.empty()) blocks_.emplace_back();
+    while (blocks_.size() <= offset / block_size) {
+        here = blocks_.back();
+        count((blocks_.size() - 1) * block_size, blocks_.size() * block_size);
+        blocks_.push_back(here);
+    }
+    const std::size_t block = offset / block_size;
+    here = blocks_[block];
+    count(block * block_size, offset);
+    return {source_, here.lines + 1, static_cast<std::uint32_t>(offset - here.line_begin + 1)};
+}
 
 std::string usd_file_name(const UsdSource& from, std::string_view asset) {
     if (asset.starts_with('/')) return normalised(asset);

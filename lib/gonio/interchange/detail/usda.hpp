@@ -97,11 +97,29 @@ struct UsdLayer {
 // kept, and beyond the limits scene-depth and scene-nodes.
 Result<UsdLayer> parse_usda(std::string_view text, const std::string& source);
 
+// Lines of offsets in any order, as composition asks for them.
+class UsdPlaces {
+public:
+    UsdPlaces() = default;
+    UsdPlaces(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
+    Location at(std::size_t offset);
+
+private:
+    struct Block {
+        std::uint32_t lines = 0;    // line ends before it
+        std::size_t line_begin = 0; // of the line at its first byte
+    };
+
+    std::string_view text_;
+    std::string source_;
+    std::vector<Block> blocks_; // made when they are needed
+};
+
 // A layer of a stage: where its text is, and where the files are that it names.
 struct UsdSource {
     std::string name; // relative to the scene's folder, or in the archive
     int archive = -1; // of UsdStage; −1: a file
-    LinePlaces places{{}, {}};
+    UsdPlaces places;
 };
 
 // Prims of a scene with all that they are composed of.
@@ -112,7 +130,7 @@ struct UsdStage {
     std::deque<Archive> archives;
     Diagnostics diagnostics;
 
-    Location place(std::uint32_t layer, std::size_t offset) { return sources[layer].places.at(offset); }
+    Location place(std::uint32_t source, std::size_t offset) { return sources[source].places.at(offset); }
 };
 
 // The file that a layer names, relative to the scene's folder or in the archive: without "." and inner "..".
