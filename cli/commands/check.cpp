@@ -105,12 +105,14 @@ Checked check_gldf(const std::string& bytes, const std::string& file, const Prof
         const Result<Gldf> strict = read_gldf(bytes, file, true);
         if (!strict) checked.diagnostics = strict.error().diagnostics;
     }
+    const Result<Archive> archive = Archive::open(bytes, file);
+    if (!archive) return unreadable(archive.error());
     std::map<std::size_t, double> fluxes; // of files that can be read
     for (std::size_t i = 0; i < gldf->files.size(); ++i) {
         const GldfFile& one = gldf->files[i];
         if (one.entry.empty() || !one.content_type.starts_with("ldc")) continue;
         const std::string name = file + "/" + one.entry;
-        Result<std::string> inside = gldf_file(bytes, file, one);
+        Result<std::string> inside = archive->read(*archive->find(one.entry));
         Checked of = !inside                                         ? unreadable(inside.error())
                      : is_archive(*inside)                           ? unreadable(no_photometry(name))
                      : inside->size() > limit("profile-bytes").value ? unreadable(no_photometry(name))

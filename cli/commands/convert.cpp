@@ -250,6 +250,8 @@ Result<int> extract(const Arguments& arguments, const std::vector<std::string>& 
     if (!bytes) return Unexpected(bytes.error());
     const Result<Gldf> gldf = read_gldf(*bytes, input);
     if (!gldf) return Unexpected(gldf.error());
+    const Result<Archive> archive = Archive::open(*bytes, input);
+    if (!archive) return Unexpected(archive.error());
     std::vector<OutputFile> files;
     std::set<std::string> names;
     std::string said;
@@ -265,7 +267,7 @@ Result<int> extract(const Arguments& arguments, const std::vector<std::string>& 
         const std::string output = *folder + "/" + name;
         if (file_exists(output) && !arguments.has("--overwrite"))
             return fail("USE0108", fmt::format("'{}' exists", output), "add --overwrite");
-        Result<std::string> inside = gldf_file(*bytes, input, file);
+        Result<std::string> inside = archive->read(*archive->find(file.entry));
         if (!inside) return pass_on(inside);
         files.push_back({output, std::move(*inside)});
         said += fmt::format("{}/{} -> {}\n", input, file.entry, output);

@@ -10,17 +10,6 @@
 
 namespace gonio {
 
-namespace {
-
-Location location_at(std::string_view text, const std::string& source, std::size_t offset) {
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const std::size_t line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
-    const std::size_t start = before.rfind('\n') + 1; // 0 for none
-    return {source, static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(before.size() - start + 1)};
-}
-
-} // namespace
-
 Unexpected archive_error(ArchiveCode code, Location location, std::string message, std::string hint) {
     const bool is_valid = code->code == "ARC0105" || code->code == "ARC0106";
     Diagnostic said;
@@ -46,6 +35,7 @@ Result<std::unique_ptr<ArchiveXml>> ArchiveXml::read(const Archive& archive, std
     Result<std::string> text = archive.read(*entry);
     if (!text) return pass_on(text);
     xml->text_ = std::move(*text);
+    xml->places_ = TextPlaces(xml->text_, xml->source_);
     xml->parsed_ = xml->text_;
     constexpr unsigned how = pugi::parse_default | pugi::parse_doctype;
     const pugi::xml_parse_result parsed =
@@ -56,10 +46,9 @@ Result<std::unique_ptr<ArchiveXml>> ArchiveXml::read(const Archive& archive, std
             return archive_error("ARC0202", {xml->source_, 0, 0}, "the XML declares a document type (<!DOCTYPE>)",
                                  "remove the declaration if you trust the file");
     if (!parsed)
-        return archive_error(
-            "ARC0201",
-            location_at(xml->text_, xml->source_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0))),
-            fmt::format("this is not well-formed XML: {}", parsed.description()));
+        return archive_error("ARC0201",
+                             xml->places_.at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0))),
+                             fmt::format("this is not well-formed XML: {}", parsed.description()));
     if (std::string_view(xml->root().name()) != root)
         return archive_error("ARC0201", xml->place(xml->root()), fmt::format("the root element is not '{}'", root));
     if (const pugi::xml_node deep = first_too_deep(xml->document_))
@@ -69,10 +58,10 @@ Result<std::unique_ptr<ArchiveXml>> ArchiveXml::read(const Archive& archive, std
     return xml;
 }
 
-Location ArchiveXml::place(pugi::xml_node node) const {
+Location ArchiveXml::place(pugi::xml_node node) {
     const std::ptrdiff_t offset = node.offset_debug();
     if (offset < 1) return {source_, 0, 0};
-    return location_at(text_, source_, static_cast<std::size_t>(offset) - 1);
+    return places_.at(static_cast<std::size_t>(offset) - 1);
 }
 
 std::string_view text_in(pugi::xml_node node) {

@@ -3,6 +3,7 @@
 
 #include <gonio/base/archive.hpp>
 #include <gonio/base/codes/archive.hpp>
+#include <gonio/base/text_places.hpp>
 
 #include <pugixml.hpp>
 
@@ -23,13 +24,14 @@ public:
     pugi::xml_node root() const { return document_.document_element(); }
 
     // Of an element: line and column of its '<', where the text is UTF-8.
-    Location place(pugi::xml_node node) const;
+    Location place(pugi::xml_node node);
 
     const std::string& source() const { return source_; }
 
 private:
     std::string source_; // "lamp.gldf/product.xml"
     std::string text_;   // as it was read
+    TextPlaces places_;
     std::string parsed_; // pugixml's, with zeros between names and values
     pugi::xml_document document_;
 };

@@ -63,7 +63,7 @@ inline constexpr std::array limits{
     Limit{"scene-bytes", 1024 * mebibyte, "bytes", "a scene of another program"},
     Limit{"scene-nodes", std::size_t{1} << 24U, "nodes", "such a scene"},
     Limit{"scene-depth", 256, "levels", "nested blocks of such a scene; the tree of glTF has no limit"},
-    Limit{"scene-layers", 1000, "layers", "files of USD that one scene names, each as often as it is composed"},
+    Limit{"scene-layers", 1000, "layers", "files of USD that one scene names"},
     Limit{"scene-lights", std::size_t{1} << 20U, "lights", "such a scene"},
     // Text
     Limit{"kind-bytes", 16 * kibibyte, "bytes", "the text of a shape, a material or another KIND:key=value,…"},

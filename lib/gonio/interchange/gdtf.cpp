@@ -33,13 +33,15 @@ struct Zoom {
 
 class GdtfReader {
 public:
-    GdtfReader(const ArchiveXml& xml, const SceneReadOptions& options) : xml_(xml), options_(options) {}
+    GdtfReader(ArchiveXml& xml, const SceneReadOptions& options) : xml_(xml), options_(options) {}
 
     Result<FoundScene> read() {
         const pugi::xml_node fixture = xml_.root().child("FixtureType");
         if (!fixture) return scene_error("SCN0103", xml_.place(xml_.root()), "the document describes no FixtureType");
         scene_.generator = fixture.attribute("Manufacturer").value();
         geometries_ = fixture.child("Geometries");
+        for (const pugi::xml_node geometry : geometries_.children())
+            by_name_.try_emplace(geometry.attribute("Name").value(), geometry);
         const pugi::xml_node modes = fixture.child("DMXModes");
         Result<pugi::xml_node> mode = mode_of(modes);
         if (!mode) return pass_on(mode);
@@ -142,9 +144,8 @@ private:
         if (kind == "Beam") add_beam(node, world, here, zoom);
         if (kind == "GeometryReference") {
             const std::string_view wanted = node.attribute("Geometry").value();
-            pugi::xml_node found;
-            for (const pugi::xml_node geometry : geometries_.children())
-                if (wanted == geometry.attribute("Name").value()) found = geometry;
+            const auto at = by_name_.find(wanted);
+            const pugi::xml_node found = at == by_name_.end() ? pugi::xml_node() : at->second;
             if (!found)
                 return scene_error("SCN0103", xml_.place(node),
                                    fmt::format("there is no geometry '{}'", wanted.substr(0, 80)));
@@ -185,8 +186,8 @@ private:
         light.kind = type.substr(0, 40);
         const double flux = number(light, node, "LuminousFlux", 10000.0, 1e9, "lm");
         const double kelvin = number(light, node, "ColorTemperature", 6000.0, 1e6, "K");
-        double beam = number(light, node, "BeamAngle", 25.0, 180.0, "°");
-        double field = number(light, node, "FieldAngle", 25.0, 180.0, "°");
+        double beam = number(light, node, "BeamAngle", 25.0, 180.0, "degrees");
+        double field = number(light, node, "FieldAngle", 25.0, 180.0, "degrees");
         const double radius = number(light, node, "BeamRadius", 0.05, 1000.0, "m");
         light.stated_amount = flux;
         light.stated = fmt::format("{} lm, beam {}°, field {}°, {} K", rounded(flux), rounded(beam), rounded(field),
@@ -269,7 +270,13 @@ private:
         // 2^−xⁿ is a tenth where xⁿ is log₂ 10.
         const double power = std::log(std::log2(10.0)) / std::log(field / beam);
         IesFile file;
+        std::string maker = scene_.generator.substr(0, 60);
+        for (char& c : maker)
+            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
         file.keywords = {{"TEST", "estimated by gonio from the angles of a GDTF beam"},
+                         {"TESTLAB", "none"},
+                         {"ISSUEDATE", "none"},
+                         {"MANUFAC", maker.empty() ? "none" : maker},
                          {"_BEAM", fmt::format("{} deg beam, {} deg field", rounded(beam), rounded(field))}};
         const double half = 0.5 * beam;
         const double dark = half * std::pow(-std::log2(1e-5), 1.0 / power);
@@ -290,11 +297,12 @@ private:
         return at->second;
     }
 
-    const ArchiveXml& xml_;
+    ArchiveXml& xml_;
     const SceneReadOptions& options_;
     FoundScene scene_;
     pugi::xml_node geometries_;
-    std::map<std::string, Zoom, std::less<>> zooms_; // by geometry
+    std::map<std::string_view, pugi::xml_node> by_name_; // geometries that are in no other
+    std::map<std::string, Zoom, std::less<>> zooms_;     // by geometry
     std::map<std::pair<double, double>, std::size_t> profiles_;
     std::size_t walked_ = 0;
 };

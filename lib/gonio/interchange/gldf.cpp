@@ -1,13 +1,16 @@
 // GLDF: the emitters of a variant as lights, all at the luminaire's origin: where they are inside is in its geometry,
 // which is not read. A fixed emitter has the flux that product.xml states; a changeable one has its lamps', times the
-// light output ratio of its photometry; both keep the distribution of the photometric file.
+// light output ratio of its photometry; both keep the distribution of the photometric file. The colour is that of the
+// spectrum, else of the colour temperature.
 #include <gonio/base/archive.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/interchange/detail/reading.hpp>
+#include <gonio/light/light_color.hpp>
 #include <gonio/profile/gldf.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/resolve.hpp>
@@ -31,10 +34,16 @@ struct Measured {
     std::string reason;             // why it cannot be used
 };
 
+struct ColorOfSpectrum {
+    glm::dvec3 color{1.0};
+    bool is_clipped = false;
+    std::string reason; // why it has none
+};
+
 class GldfLights {
 public:
-    GldfLights(const Gldf& gldf, std::string_view bytes, const SceneReadOptions& options)
-        : gldf_(gldf), bytes_(bytes), options_(options) {}
+    GldfLights(const Gldf& gldf, const Archive& archive, const SceneReadOptions& options)
+        : gldf_(gldf), archive_(archive), options_(options) {}
 
     Result<FoundScene> read() {
         scene_.generator = gldf_.generator;
@@ -84,7 +93,7 @@ private:
             made.reason = error.diagnostics.empty() ? "cannot be read" : error.diagnostics.back().message;
         };
         const std::string name = gldf_.source + "/" + gldf_.files[file].entry;
-        Result<std::string> bytes = gldf_file(bytes_, gldf_.source, gldf_.files[file]);
+        Result<std::string> bytes = archive_.read(*archive_.find(gldf_.files[file].entry));
         if (!bytes) return because(bytes.error()), made;
         if (is_archive(*bytes) || bytes->size() > limit("profile-bytes").value) {
             made.reason = "it is no photometric file";
@@ -131,15 +140,57 @@ private:
             place_light(light, turned, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, 'z', 1.0);
             if (of.is_turned) remark(light, "SCN0201", "its rotation is applied about X first, then about Y and Z");
         }
-        if (of.cct_k && *of.cct_k > 0.0) {
-            light.color = blackbody_color(light, *of.cct_k);
-            light.temperature = Kelvin(*of.cct_k);
-        }
+        if (of.cct_k && *of.cct_k > 0.0) light.temperature = Kelvin(*of.cct_k);
+        if (!of.spectrum || !take_spectrum(light, *of.spectrum))
+            if (light.temperature) light.color = blackbody_color(light, *of.cct_k);
         if (light.shape && of.emergency == "EmergencyOnly") {
             light.shape.reset();
             remark(light, "SCN0204", "it shines in an emergency only");
         }
         scene_.lights.push_back(std::move(light));
+    }
+
+    // The colour of a spectrum; false where it has none, which is said.
+    bool take_spectrum(FoundLight& light, std::size_t index) {
+        const auto [at, is_new] = colors_.try_emplace(index);
+        ColorOfSpectrum& made = at->second;
+        if (is_new) {
+            Result<Spectrum> spectrum = spectrum_of(gldf_.spectra[index]);
+            Diagnostics clipped;
+            Result<glm::dvec3> color =
+                spectrum ? light_color_of(*spectrum, &clipped) : Result<glm::dvec3>(pass_on(spectrum));
+            made.is_clipped = !clipped.empty();
+            if (color)
+                made.color = *color;
+            else
+                made.reason =
+                    color.error().diagnostics.empty() ? "it cannot be read" : color.error().diagnostics.back().message;
+        }
+        if (!made.reason.empty()) {
+            remark(light, "SCN0202", fmt::format("its spectrum is left out: {}", made.reason));
+            return false;
+        }
+        if (made.is_clipped) remark(light, "SCN0202", "the colour of its spectrum lies outside Rec.709: clipped to it");
+        light.color = made.color;
+        return true;
+    }
+
+    // As a file has it, or product.xml, by the same rules.
+    Result<Spectrum> spectrum_of(const GldfSpectrum& of) {
+        std::string text;
+        std::string name = gldf_.source + "/product.xml";
+        if (of.file) {
+            name = gldf_.source + "/" + gldf_.files[*of.file].entry;
+            Result<std::string> bytes = archive_.read(*archive_.find(gldf_.files[*of.file].entry));
+            if (!bytes) return pass_on(bytes);
+            if (bytes->size() > limit("spectrum-bytes").value)
+                return fail("FIL0104", fmt::format("larger than {}", to_text(limit("spectrum-bytes"))));
+            text = std::move(*bytes);
+        } else {
+            for (std::size_t i = 0; i < of.wavelengths_nm.size(); ++i)
+                text += fmt::format("{},{}\n", shortest(of.wavelengths_nm[i]), shortest(of.intensities[i]));
+        }
+        return parse_spectrum_csv(text, name);
     }
 
     // The distribution and the amount.
@@ -185,10 +236,11 @@ private:
     }
 
     const Gldf& gldf_;
-    std::string_view bytes_;
+    const Archive& archive_;
     const SceneReadOptions& options_;
     FoundScene scene_;
-    std::map<std::size_t, Measured> measured_;
+    std::map<std::size_t, Measured> measured_;      // by file
+    std::map<std::size_t, ColorOfSpectrum> colors_; // by spectrum
 };
 
 } // namespace
@@ -197,7 +249,9 @@ Result<FoundScene> read_gldf_lights(std::string_view bytes, const std::string& s
                                     const SceneReadOptions& options) {
     const Result<Gldf> gldf = read_gldf(bytes, source);
     if (!gldf) return Unexpected(gldf.error());
-    return GldfLights(*gldf, bytes, options).read();
+    Result<Archive> archive = Archive::open(bytes, source);
+    if (!archive) return pass_on(archive);
+    return GldfLights(*gldf, *archive, options).read();
 }
 
 } // namespace gonio::interchange_detail

@@ -22,8 +22,9 @@ constexpr std::uint32_t no_prim = 0xffffffff;
 std::string shown(std::string_view text) {
     constexpr std::size_t longest = 80;
     std::string plain(text.substr(0, longest));
-    for (char& c : plain)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    if (has_control_characters(plain))
+        for (char& c : plain)
+            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
     return plain;
 }
 
@@ -95,6 +96,7 @@ public:
         }
         std::vector<UsdPrim> prims = std::exchange(layer.prims, {});
         stage_.layer = layer; // the metadata
+        stage_.layer.compositions.clear();
         layer.prims = std::move(prims);
         Result<std::uint32_t> stack = stack_of(*root);
         if (!stack) return pass_on(stack);
@@ -163,7 +165,7 @@ private:
         const auto index = static_cast<std::uint32_t>(layers_.size());
         Result<UsdLayer> parsed = parse_usda(text, source);
         if (!parsed) return pass_on(parsed);
-        about.places = UsdPlaces(text, source);
+        about.places = TextPlaces(text, source);
         stage_.sources.push_back(std::move(about));
         layers_.emplace_back();
         ParsedLayer& made = layers_.back();
@@ -184,7 +186,7 @@ private:
         if (!of.children.empty()) return;
         for (std::uint32_t i = 0; i < of.layer.prims.size(); ++i) {
             const UsdPrim& prim = of.layer.prims[i];
-            if (!prim.variant_set.empty()) {
+            if (prim.is_variant) {
                 of.variants[prim.parent].push_back(i);
             } else if (of.prims.try_emplace({prim.parent, prim.name}, i).second) {
                 of.children[prim.parent].push_back(i);
@@ -307,13 +309,20 @@ private:
 
     const UsdPrim& prim_at(const Site& site) const { return layers_[site.layer].layer.prims[site.prim]; }
 
+    const UsdComposition& composition_at(const Site& site) const {
+        static const UsdComposition none;
+        const auto& all = layers_[site.layer].layer.compositions;
+        const auto found = all.find(site.prim);
+        return found == all.end() ? none : found->second;
+    }
+
     Location place_of(const Site& site, std::size_t at) { return stage_.place(site.layer, at); }
 
     std::string path_of(const Site& site) const {
         std::string path;
         for (std::uint32_t at = site.prim; at != no_prim;) {
             const UsdPrim& prim = layers_[site.layer].layer.prims[at];
-            if (prim.variant_set.empty()) path.insert(0, "/" + prim.name);
+            if (!prim.is_variant) path.insert(0, "/" + prim.name);
             at = prim.parent;
         }
         return path;
@@ -411,11 +420,12 @@ private:
             if (variants == layer.variants.end()) continue;
             for (const std::uint32_t variant : variants->second) {
                 const UsdPrim& prim = layer.layer.prims[variant];
-                const std::string* const selected = selection(prim.variant_set, sites, base);
-                if (selected == nullptr && without.insert(prim.variant_set).second)
+                const std::string& set = layer.layer.compositions.at(variant).variant_set;
+                const std::string* const selected = selection(set, sites, base);
+                if (selected == nullptr && without.insert(set).second)
                     warn("SCN0201", place_of(site, prim.offset),
                          fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
-                                     shown(prim.variant_set), shown(path_of(site))));
+                                     shown(set), shown(path_of(site))));
                 if (selected != nullptr && *selected == prim.name)
                     chosen.push_back({site.stack, site.layer, variant, site.times});
             }
@@ -431,7 +441,7 @@ private:
                                  const std::vector<Site>& base) const {
         for (const std::vector<Site>* const among : {&sites, &base})
             for (const Site& site : *among)
-                for (const auto& [name, variant] : prim_at(site).selected)
+                for (const auto& [name, variant] : composition_at(site).selected)
                     if (name == set) return &variant;
         return nullptr;
     }
@@ -443,7 +453,7 @@ private:
         std::set<std::pair<std::string, std::string>> taken;
         for (const Site& site : group) {
             bool is_all = false;
-            const std::vector<UsdArc>& arcs = prim_at(site).arcs;
+            const std::vector<UsdArc>& arcs = composition_at(site).arcs;
             for (const UsdArc& arc : arcs) {
                 if (arc.kind != kind) continue;
                 is_all = is_all || arc.edit == UsdListEdit::is_all;
@@ -581,7 +591,8 @@ private:
             if (!made.active) made.active = prim.active;
             for (const std::string& schema : prim.schemas)
                 if (!removed.contains(schema)) made.schemas.push_back(schema);
-            removed.insert(prim.removed_schemas.begin(), prim.removed_schemas.end());
+            const std::vector<std::string>& less = composition_at(site).removed_schemas;
+            removed.insert(less.begin(), less.end());
             for (const UsdAttribute& attribute : prim.attributes) {
                 const bool says = attribute.value.is_set || attribute.value.is_blocked || !attribute.samples.empty();
                 const auto [at, is_new] = attributes.try_emplace(attribute.name, made.attributes.size());
@@ -616,29 +627,6 @@ private:
 };
 
 } // namespace
-
-Location UsdPlaces::at(std::size_t offset) {
-    constexpr std::size_t block_size = 16384;
-    offset = std::min(offset, text_.size());
-    Block here;
-    const auto count = [&](std::size_t begin, std::size_t end) {
-        const std::string_view part = text_.substr(0, end);
-        for (std::size_t at = part.find('\n', begin); at < end; at = part.find('\n', at + 1)) {
-            ++here.lines;
-            here.line_begin = at + 1;
-        }
-    };
-    if (blocks_.empty()) blocks_.emplace_back();
-    while (blocks_.size() <= offset / block_size) {
-        here = blocks_.back();
-        count((blocks_.size() - 1) * block_size, blocks_.size() * block_size);
-        blocks_.push_back(here);
-    }
-    const std::size_t block = offset / block_size;
-    here = blocks_[block];
-    count(block * block_size, offset);
-    return {source_, here.lines + 1, static_cast<std::uint32_t>(offset - here.line_begin + 1)};
-}
 
 std::string usd_file_name(const UsdSource& from, std::string_view asset) {
     if (asset.starts_with('/')) return normalised(asset);

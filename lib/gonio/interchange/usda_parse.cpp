@@ -313,7 +313,7 @@ private:
     }
 
     // { string set = "variant" }
-    Result<void> selections(UsdPrim& prim) {
+    Result<void> selections(UsdComposition& of) {
         if (!token_.is('{')) return value(nullptr);
         if (Result<void> read = advance(); !read) return read;
         std::string_view name;
@@ -322,7 +322,7 @@ private:
             if (token_.is('=')) {
                 if (Result<void> read = advance(); !read) return read;
                 if (token_.kind != Kind::text) return wrong("the name of a variant is expected");
-                prim.selected.emplace_back(name, token_.text);
+                of.selected.emplace_back(name, token_.text);
             } else {
                 name = token_.text;
             }
@@ -331,7 +331,7 @@ private:
         return advance();
     }
 
-    Result<void> prim_metadata(UsdPrim& prim) {
+    Result<void> prim_metadata(UsdPrim& prim, UsdComposition& composition) {
         if (Result<void> read = advance(); !read) return read;
         UsdListEdit edit = UsdListEdit::is_all;
         while (!token_.is(')')) {
@@ -357,18 +357,18 @@ private:
             const auto* const arc =
                 std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return name.is(one.first); });
             if (arc != kinds.end() && !reorders) {
-                if (Result<void> read = arcs(prim.arcs, arc->second, how); !read) return read;
+                if (Result<void> read = arcs(composition.arcs, arc->second, how); !read) return read;
                 continue;
             }
             if (name.is("variants")) {
-                if (Result<void> read = selections(prim); !read) return read;
+                if (Result<void> read = selections(composition); !read) return read;
                 continue;
             }
             UsdValue said;
             const bool keep = (name.is("apiSchemas") && !reorders) || name.is("active");
             if (Result<void> read = value(keep ? &said : nullptr); !read) return read;
             if (name.is("apiSchemas")) {
-                auto& into = how == UsdListEdit::removes ? prim.removed_schemas : prim.schemas;
+                auto& into = how == UsdListEdit::removes ? composition.removed_schemas : prim.schemas;
                 into.insert(into.end(), said.texts.begin(), said.texts.end());
             }
             if (name.is("active")) prim.active = said.numbers.empty() || said.numbers[0] != 0.0;
@@ -394,8 +394,10 @@ private:
             made.offset = token_.offset;
             made.specifier = UsdSpecifier::over;
             made.name = token_.text;
-            made.variant_set = open_.back().variant_set;
-            return open_prim(std::move(made));
+            made.is_variant = true;
+            UsdComposition composition;
+            composition.variant_set = open_.back().variant_set;
+            return open_prim(std::move(made), std::move(composition));
         }
         if (token_.is("reorder")) {
             if (Result<void> read = advance(); !read) return read;
@@ -447,24 +449,28 @@ private:
         }
         if (token_.kind != Kind::text) return wrong("the name of a prim is expected");
         made.name = token_.text;
-        return open_prim(std::move(made));
+        return open_prim(std::move(made), {});
     }
 
     // Behind its name.
-    Result<void> open_prim(UsdPrim made) {
+    Result<void> open_prim(UsdPrim made, UsdComposition composition) {
         if (Result<void> read = advance(); !read) return read;
         if (token_.is('('))
-            if (Result<void> read = prim_metadata(made); !read) return read;
+            if (Result<void> read = prim_metadata(made, composition); !read) return read;
         if (!open_.empty()) made.parent = open_.back().prim;
         if (layer_.prims.size() >= limit("scene-nodes").value)
             return wrong("SCN0108", made.offset, fmt::format("more than {}", to_text(limit("scene-nodes"))));
+        const auto index = static_cast<std::uint32_t>(layer_.prims.size());
+        if (made.is_variant || !composition.arcs.empty() || !composition.selected.empty() ||
+            !composition.removed_schemas.empty())
+            layer_.compositions.emplace(index, std::move(composition));
         layer_.prims.push_back(std::move(made));
-        return open_block({static_cast<std::uint32_t>(layer_.prims.size() - 1), {}});
+        return open_block({index, {}});
     }
 
     // Of a prim, or of the prim that a variant is of.
     std::string_view type_of(std::uint32_t at) const {
-        while (!layer_.prims[at].variant_set.empty())
+        while (layer_.prims[at].is_variant)
             at = layer_.prims[at].parent;
         return layer_.prims[at].type;
     }

@@ -25,8 +25,9 @@ constexpr std::string_view product_file = "product.xml";
 std::string shown(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string plain(text.substr(0, longest));
-    for (char& c : plain)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    if (has_control_characters(plain))
+        for (char& c : plain)
+            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
     return plain;
 }
 
@@ -43,8 +44,7 @@ struct LightSource {
 
 class GldfReader {
 public:
-    GldfReader(const Archive& archive, const ArchiveXml& xml, bool strict)
-        : archive_(archive), xml_(xml), strict_(strict) {}
+    GldfReader(const Archive& archive, ArchiveXml& xml, bool strict) : archive_(archive), xml_(xml), strict_(strict) {}
 
     Result<Gldf> read() {
         const pugi::xml_node root = xml_.root();
@@ -407,7 +407,7 @@ private:
     }
 
     const Archive& archive_;
-    const ArchiveXml& xml_;
+    ArchiveXml& xml_;
     bool strict_;
     bool has_error_ = false;
     Gldf gldf_;

@@ -56,6 +56,20 @@ TEST(InterchangeGldf, EmittersOfAVariantAreLights) {
     EXPECT_EQ(test::code_of(read_scene_lights(gldf_of(test::product()), "scene", options)), "USE0103");
 }
 
+TEST(InterchangeGldf, TheColourIsThatOfTheSpectrum) {
+    EXPECT_TRUE(has_remark(scene_of(gldf_of(test::product())).lights[0], "SCN0202")); // of two wavelengths
+    std::string red;
+    for (int nm = 380; nm <= 780; nm += 5)
+        red += "<Intensity wavelength=\"" + std::to_string(nm) + "\">" + (nm < 600 ? "0.1" : "1") + "</Intensity>";
+    const FoundScene scene = scene_of(gldf_of(
+        replaced(test::product(),
+                 "<Intensity wavelength=\"400\">0.5</Intensity><Intensity wavelength=\"700\">1</Intensity>", red)));
+    const FoundLight& light = scene.lights[0];
+    EXPECT_FALSE(has_remark(light, "SCN0202"));
+    EXPECT_GT(light.color.x, 2.0 * light.color.y);
+    EXPECT_EQ(light.temperature->value, 3000.0);
+}
+
 TEST(InterchangeGldf, WhatCannotBeReadIsListed) {
     const FoundScene told = scene_of(gldf_of(replaced(test::product(), "emitterId=\"down\"", "emitterId=\"told\"")));
     ASSERT_EQ(told.lights.size(), 1U);

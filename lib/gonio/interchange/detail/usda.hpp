@@ -3,11 +3,13 @@
 
 #include <gonio/base/archive.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/base/text_places.hpp>
 #include <gonio/interchange/detail/reading.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,14 +73,19 @@ struct UsdPrim {
     std::uint32_t layer = 0;           // of UsdStage
     UsdSpecifier specifier = UsdSpecifier::def;
     std::optional<bool> active;
-    std::vector<std::string> schemas;         // apiSchemas
-    std::vector<std::string> removed_schemas; // from those of weaker layers
+    bool is_variant = false;          // of its parent; the name is the variant's
+    std::vector<std::string> schemas; // apiSchemas
     std::vector<UsdAttribute> attributes;
-    std::vector<UsdArc> arcs;                                  // not of composed prims, as what follows
-    std::vector<std::pair<std::string, std::string>> selected; // variants by the names of their sets
-    std::string variant_set;                                   // of a variant, which has its name; else empty
 
     const UsdAttribute* find(std::string_view wanted) const;
+};
+
+// What a layer says about the composition of a prim.
+struct UsdComposition {
+    std::vector<UsdArc> arcs;
+    std::vector<std::pair<std::string, std::string>> selected; // variants by the names of their sets
+    std::vector<std::string> removed_schemas;                  // from those of weaker layers
+    std::string variant_set;                                   // of a variant
 };
 
 struct UsdLayer {
@@ -90,36 +97,19 @@ struct UsdLayer {
     std::string default_prim;
     std::vector<UsdArc> sublayers; // the strongest first
     std::vector<UsdPrim> prims;    // parents first; only prims that may hold lights keep attributes
-    bool is_composed_of = false;   // it has arcs or variants
+    std::map<std::uint32_t, UsdComposition> compositions; // of the prims that have one
+    bool is_composed_of = false;                          // it has arcs or variants
 };
 
 // Fails (malformed) with the place on text that breaks the grammar, on numbers that are not finite where they are
 // kept, and beyond the limits scene-depth and scene-nodes.
 Result<UsdLayer> parse_usda(std::string_view text, const std::string& source);
 
-// Lines of offsets in any order, as composition asks for them.
-class UsdPlaces {
-public:
-    UsdPlaces() = default;
-    UsdPlaces(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
-    Location at(std::size_t offset);
-
-private:
-    struct Block {
-        std::uint32_t lines = 0;    // line ends before it
-        std::size_t line_begin = 0; // of the line at its first byte
-    };
-
-    std::string_view text_;
-    std::string source_;
-    std::vector<Block> blocks_; // made when they are needed
-};
-
 // A layer of a stage: where its text is, and where the files are that it names.
 struct UsdSource {
     std::string name; // relative to the scene's folder, or in the archive
     int archive = -1; // of UsdStage; −1: a file
-    UsdPlaces places;
+    TextPlaces places;
 };
 
 // Prims of a scene with all that they are composed of.
