@@ -128,6 +128,8 @@ Checked check_gldf(const std::string& bytes, const std::string& file, const Prof
         }
         checked.diagnostics.insert(checked.diagnostics.end(), of.diagnostics.begin(), of.diagnostics.end());
     }
+    std::size_t off = 0;
+    constexpr std::size_t most = 8;
     for (const GldfEmitter& emitter : gldf->emitters)
         for (const GldfLight& light : emitter.lights) {
             if (!light.flux_lm || light.kind == "changeable" || !light.photometry) continue;
@@ -137,6 +139,7 @@ Checked check_gldf(const std::string& bytes, const std::string& file, const Prof
             if (found == fluxes.end() ||
                 std::abs(found->second - *light.flux_lm) <= tolerance * std::max(found->second, *light.flux_lm))
                 continue;
+            if (++off > most) continue;
             const ArchiveCode code = "GLD0208";
             checked.diagnostics.push_back({std::string(code->code),
                                            code->severity,
@@ -145,6 +148,7 @@ Checked check_gldf(const std::string& bytes, const std::string& file, const Prof
                                                        rounded(*light.flux_lm), rounded(found->second)),
                                            {}});
         }
+    if (off > most) checked.diagnostics.back().message += fmt::format(" (and {} emitters more)", off - most);
     return checked;
 }
 
