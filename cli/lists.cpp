@@ -284,7 +284,10 @@ Entries color_method_names() {
 }
 
 Entries formats() {
-    return {{"ies", "ANSI/IES LM-63, 1986 to 2019"}, {"ldt", "EULUMDAT"}, {"tm33", "ANSI/IES TM-33, ATLA S001: XML"}};
+    return {{"ies", "ANSI/IES LM-63, 1986 to 2019"},
+            {"ldt", "EULUMDAT"},
+            {"tm33", "ANSI/IES TM-33, ATLA S001: XML"},
+            {"gldf", "GLDF: a luminaire with such profiles in it; written by convert"}};
 }
 
 Entries scenes() {

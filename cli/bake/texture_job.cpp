@@ -177,7 +177,7 @@ bool is_up_to_date(const TextureJob& job) {
     const Result<std::string> sidecar = read_file(*job.sidecar, limit("record-bytes"));
     const std::optional<TextureRecord> record = sidecar ? read_sidecar(*sidecar) : std::nullopt;
     if (!record || record->recipe != job.recipe) return false;
-    const Result<std::string> input = read_file(job.files.input, limit("profile-bytes"));
+    const Result<std::string> input = read_file(job.files.input, limit_of_profile(job.files.input));
     return input && sha256(*input) == record->source_sha256 &&
            std::equal(job.pictures.begin(), job.pictures.end(), record->files.begin(), record->files.end(), holds);
 }

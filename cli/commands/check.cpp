@@ -1,5 +1,10 @@
+#include <gonio/base/archive.hpp>
+#include <gonio/base/codes/archive.hpp>
 #include <gonio/base/file.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/profile/gldf.hpp>
 #include <gonio/profile/read.hpp>
+#include <gonio/web/integrate.hpp>
 #include <gonio/web/repetitions.hpp>
 
 #include "../arguments.hpp"
@@ -16,6 +21,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -57,7 +65,9 @@ Checked unreadable(const Error& error) {
 }
 
 // Most files that strict reading refuses can still be read; only a file that lenient reading refuses is unreadable.
-Checked check(const std::string& bytes, const std::string& file, const ProfileInputOptions& options) {
+// `flux_lm`: the light of a readable file, if it is wanted.
+Checked check(const std::string& bytes, const std::string& file, const ProfileInputOptions& options,
+              double* flux_lm = nullptr) {
     ReadOptions read = options.read;
     if (file != "-") read.read_beside = reader_beside(file);
     read.strict = false;
@@ -77,6 +87,68 @@ Checked check(const std::string& bytes, const std::string& file, const ProfileIn
         return unreadable(error);
     }
     checked.diagnostics = report_of(std::move(checked.diagnostics), *profile, *resolved, options.resolve);
+    if (flux_lm != nullptr) *flux_lm = flux(resolved->web).value;
+    return checked;
+}
+
+Error no_photometry(const std::string& name) {
+    return error_at("INP0101", {name, 0, 0}, "it is an archive itself, or too large");
+}
+
+// The document and every photometry in it, as strictly as a profile.
+Checked check_gldf(const std::string& bytes, const std::string& file, const ProfileInputOptions& options) {
+    Result<Gldf> gldf = read_gldf(bytes, file);
+    if (!gldf) return unreadable(gldf.error());
+    Checked checked;
+    checked.diagnostics = gldf->diagnostics;
+    if (options.read.strict) {
+        const Result<Gldf> strict = read_gldf(bytes, file, true);
+        if (!strict) checked.diagnostics = strict.error().diagnostics;
+    }
+    const Result<Archive> archive = Archive::open(bytes, file);
+    if (!archive) return unreadable(archive.error());
+    std::map<std::size_t, double> fluxes; // of files that can be read
+    for (std::size_t i = 0; i < gldf->files.size(); ++i) {
+        const GldfFile& one = gldf->files[i];
+        if (one.entry.empty() || !one.content_type.starts_with("ldc")) continue;
+        const std::string name = file + "/" + one.entry;
+        Result<std::string> inside = archive->read(*archive->find(one.entry));
+        Checked of = !inside                                         ? unreadable(inside.error())
+                     : is_archive(*inside)                           ? unreadable(no_photometry(name))
+                     : inside->size() > limit("profile-bytes").value ? unreadable(no_photometry(name))
+                                                                     : check(*inside, name, options, &fluxes[i]);
+        if (!of.readable) {
+            fluxes.erase(i);
+            Diagnostic said = of.diagnostics.empty() ? Diagnostic{} : of.diagnostics.back();
+            const ArchiveCode code = "GLD0211";
+            said.code = code->code;
+            said.severity = code->severity;
+            said.message = fmt::format("the photometric file is not readable: {}", said.message);
+            of.diagnostics = {std::move(said)};
+        }
+        checked.diagnostics.insert(checked.diagnostics.end(), of.diagnostics.begin(), of.diagnostics.end());
+    }
+    std::size_t off = 0;
+    constexpr std::size_t most = 8;
+    for (const GldfEmitter& emitter : gldf->emitters)
+        for (const GldfLight& light : emitter.lights) {
+            if (!light.flux_lm || light.kind == "changeable" || !light.photometry) continue;
+            const std::optional<std::size_t> of = gldf->photometries[*light.photometry].file;
+            const auto found = of ? fluxes.find(*of) : fluxes.end();
+            constexpr double tolerance = 0.01;
+            if (found == fluxes.end() ||
+                std::abs(found->second - *light.flux_lm) <= tolerance * std::max(found->second, *light.flux_lm))
+                continue;
+            if (++off > most) continue;
+            const ArchiveCode code = "GLD0208";
+            checked.diagnostics.push_back({std::string(code->code),
+                                           code->severity,
+                                           light.location,
+                                           fmt::format("the emitter states {} lm, and its photometry has {} lm",
+                                                       rounded(*light.flux_lm), rounded(found->second)),
+                                           {}});
+        }
+    if (off > most) checked.diagnostics.back().message += fmt::format(" (and {} emitters more)", off - most);
     return checked;
 }
 
@@ -119,12 +191,12 @@ int run(const Arguments& arguments, Console& console) {
         const std::string& file = (*files)[index];
         Outcome outcome;
         Result<std::string> bytes =
-            file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("profile-bytes"));
+            file == "-" ? read_standard_input(limit("archive-bytes")) : read_file(file, limit_of_profile(file));
         if (!bytes) {
             outcome.error = std::move(bytes.error());
             return outcome;
         }
-        Checked checked = check(*bytes, file, *options);
+        Checked checked = is_archive(*bytes) ? check_gldf(*bytes, file, *options) : check(*bytes, file, *options);
         count(checked, options->read.strict);
         (checked.diagnostics.empty() ? clean
          : !checked.readable         ? not_read
@@ -147,14 +219,15 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command check_command;
-const Command check_command{"check",
-                            "validate the text, the numbers and the physics of profiles",
-                            "FILE… [options]",
-                            "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
-                            "for a list of files. Exit status: 0 passed; 1 an error, or with --strict a warning;\n"
-                            "4 unreadable.",
-                            groups,
-                            examples,
-                            run};
+const Command check_command{
+    "check",
+    "validate the text, the numbers and the physics of profiles",
+    "FILE… [options]",
+    "FILE is an IES, EULUMDAT, TM-33 or GLDF profile, a folder of profiles, '-' for stdin, or @LIST\n"
+    "for a list of files. Exit status: 0 passed; 1 an error, or with --strict a warning;\n"
+    "4 unreadable.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

@@ -1,4 +1,13 @@
+#include <gonio/base/archive.hpp>
+#include <gonio/base/codes/archive.hpp>
+#include <gonio/base/file.hpp>
+#include <gonio/base/folder.hpp>
+#include <gonio/base/path.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/profile_facts.hpp>
+#include <gonio/profile/gldf.hpp>
+#include <gonio/profile/text_encoding.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/symmetry.hpp>
 #include <gonio/web/to_profile.hpp>
@@ -16,8 +25,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -26,7 +38,8 @@ namespace {
 constexpr std::array convert_options{
     Option{"-o,--output", "FILE", "write one output; '-' is stdout (with --to)"},
     Option{"-O,--output-dir", "DIR", "write one output per input into an existing folder (with --to)"},
-    Option{"--to", "FORMAT", "ies, ldt or tm33, if the output name does not show the format", "formats"},
+    Option{"--to", "FORMAT", "ies, ldt, tm33 or gldf, if the output name does not show the format", "formats"},
+    Option{"--extract", "", "with -O: write the photometric files and spectra of one GLDF as they are"},
     Option{"--dialect", "NAME",
            "IES dialect: lm-63-1995, lm-63-2002, lm-63-2019, portable (that of the source, else lm-63-2002)",
            "dialects"},
@@ -46,6 +59,9 @@ constexpr std::array examples{
     Example{"gonio convert *.ies -O game --dialect portable", "IES files that every engine reads the same way"},
     Example{"gonio convert lamp.ies -o small.ies --compact 1e-3",
             "leave out planes that are symmetric within 0.1 % of the peak"},
+    Example{"gonio convert luminaire.gldf -o lamp.ldt --variant warm", "the photometry of a variant"},
+    Example{"gonio convert luminaire.gldf --extract -O files", "all its photometric files, unchanged"},
+    Example{"gonio convert lamp.ldt -o lamp.gldf", "a minimal GLDF around the profile"},
     Example{"gonio convert - --to ldt -o - < lamp.ies", "through pipes"},
 };
 
@@ -53,6 +69,7 @@ struct Request {
     ProfileTarget target;
     ProfileInputOptions input;
     std::optional<double> compact; // tolerance
+    bool to_gldf = false;          // instead of `target`
 };
 
 struct Converted {
@@ -69,9 +86,76 @@ Result<MadeProfile> convert_web(const LoadedProfile& loaded, const Request& requ
                       header_of(loaded.profile, request.input.resolve), request.target);
 }
 
+// What a GLDF says about the profile in it. What the profile does not state is said to be missing.
+GldfProduct product_of(const LoadedProfile& loaded, const ProfileInputOptions& input, Diagnostics& diagnostics) {
+    const ProfileHeader header = header_of(loaded.profile, input.resolve);
+    const ProfileFacts facts = profile_facts(loaded.profile, loaded.web, input.resolve, false);
+    GldfProduct product;
+    product.manufacturer = to_utf8(keyword_text(header, "MANUFAC"));
+    product.name = to_utf8(luminaire_name(header));
+    product.number = to_utf8(keyword_text(header, "LUMCAT"));
+    product.flux_lm = facts.flux_lm;
+    product.input_w = facts.input_w;
+    if (!facts.lamps.empty()) {
+        const DeclaredLamps& lamp = facts.lamps.front();
+        constexpr double least_kelvin = 500.0;
+        if (lamp.cct_k && *lamp.cct_k >= least_kelvin) product.cct_k = lamp.cct_k;
+        const std::optional<double> cri = parse_number(lamp.cri);
+        constexpr double group = 4.0; // EULUMDAT's groups of colour rendering are 1 to 4
+        if (cri && *cri > group && *cri <= 100.0) product.cri = cri;
+    }
+    std::string missing;
+    for (const auto& [text, what] : {std::pair{&product.manufacturer, "manufacturer"}, std::pair{&product.name, "name"},
+                                     std::pair{&product.number, "number"}})
+        if (text->empty()) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", what);
+    if (!missing.empty()) {
+        const ArchiveCode code = "GLD0301";
+        Diagnostic said;
+        said.code = code->code;
+        said.severity = code->severity;
+        said.location = {loaded.profile.source, 0, 0};
+        said.message = fmt::format("the profile states no {}: '-' is written", missing);
+        diagnostics.push_back(std::move(said));
+    }
+    return product;
+}
+
+// A profile goes into a GLDF as it is; of a GLDF the photometry that is chosen.
+Result<Converted> convert_to_gldf(const Job& job, const Request& request) {
+    ProfileInputOptions input = request.input;
+    input.photometric = true;
+    Result<LoadedProfile> loaded = load(job.input, input);
+    if (!loaded) return pass_on(loaded);
+    std::string inside = std::move(loaded->bytes);
+    if (is_archive(inside)) {
+        Result<GldfProfile> chosen = gldf_profile(inside, job.input, input.read.choice);
+        if (!chosen) return pass_on(chosen);
+        inside = std::move(chosen->bytes);
+    }
+    Converted converted;
+    converted.diagnostics = std::move(loaded->diagnostics);
+    GldfProduct product = product_of(*loaded, input, converted.diagnostics);
+    const std::string_view ending = std::holds_alternative<IesFile>(loaded->profile.file)   ? "ies"
+                                    : std::holds_alternative<LdtFile>(loaded->profile.file) ? "ldt"
+                                                                                            : "xml";
+    const std::string stem = without_extension(file_name(job.output == "-" ? job.input : job.output));
+    product.file = fmt::format("{}.{}", stem.empty() || stem == "-" ? "profile" : stem, ending);
+    const std::string bytes = write_gldf(inside, product);
+    Result<Profile> again = read_profile(bytes, job.output);
+    Result<ResolvedWeb> web = again ? resolve_web(*again, input.resolve) : Result<ResolvedWeb>(pass_on(again));
+    if (!web) return fail(Failure::internal, "the written GLDF cannot be read back", {}, job.input);
+    converted.source_flux_lm = flux(loaded->web).value;
+    converted.flux_lm = flux(web->web).value;
+    converted.error = conversion_error(loaded->web, web->web);
+    converted.profile = std::move(*again);
+    if (Result<void> written = write_output(job.output, bytes); !written) return pass_on(written);
+    return converted;
+}
+
 // Reads, converts, writes, and reads the written bytes again: the reported error is that of the bytes.
 Result<Converted> convert(const Job& job, const Request& request) {
-    const auto& [target, input, compact] = request;
+    if (request.to_gldf) return convert_to_gldf(job, request);
+    const auto& [target, input, compact, to_gldf] = request;
     Result<LoadedProfile> loaded = load(job.input, input);
     if (!loaded) return pass_on(loaded);
     Result<MadeProfile> made = input.smooth_deg ? convert_web(*loaded, request)
@@ -109,13 +193,13 @@ const char* version_of(const Profile& profile) {
     return ies != nullptr ? to_text(ies->version) : "EULUMDAT";
 }
 
-Json to_json(const Job& job, const Converted& converted, ProfileTarget target) {
+Json to_json(const Job& job, const Converted& converted, const Request& request) {
     return {{"schema", "gonio.convert/1"},
             {"file", job.input},
             {"output", job.name},
-            {"format", format_of(converted.profile)},
-            {"version", version_of(converted.profile)},
-            {"portable", target == ProfileTarget::portable},
+            {"format", request.to_gldf ? "GLDF" : format_of(converted.profile)},
+            {"version", request.to_gldf ? "1.0" : version_of(converted.profile)},
+            {"portable", !request.to_gldf && request.target == ProfileTarget::portable},
             {"source_flux_lm", converted.source_flux_lm},
             {"flux_lm", converted.flux_lm},
             {"max_error_cd", converted.error.max.value},
@@ -133,8 +217,9 @@ Outcome outcome_of(const Job& job, const Request& request, ReportKind kind) {
         return outcome;
     }
     outcome.remarks.push_back(fmt::format("{} -> {}: {}, greatest difference {:.3g} of the peak", job.input, job.output,
-                                          version_of(converted->profile), converted->error.relative));
-    if (kind != ReportKind::words) outcome.report = to_json(job, *converted, request.target);
+                                          request.to_gldf ? "GLDF" : version_of(converted->profile),
+                                          converted->error.relative));
+    if (kind != ReportKind::words) outcome.report = to_json(job, *converted, request);
     outcome.diagnostics = std::move(converted->diagnostics);
     return outcome;
 }
@@ -149,15 +234,62 @@ Result<std::optional<double>> compact_tolerance(const Arguments& arguments) {
     return value;
 }
 
+// The photometric files and spectra of a GLDF, unchanged: all of them or none.
+Result<int> extract(const Arguments& arguments, const std::vector<std::string>& inputs, Console& console) {
+    for (const std::string_view option :
+         {"--to", "--dialect", "--compact", "--smooth", "--output", "--update", "--mirror", "--variant", "--emitter"})
+        if (arguments.has(option)) return fail("USE0107", fmt::format("--extract and {} are both given", option));
+    const auto folder = arguments.value("--output-dir");
+    if (!folder) return fail("USE0104", "--extract needs -O DIR", "-O . is the current folder");
+    if (inputs.size() != 1) return fail("USE0107", "--extract takes one GLDF", "run it once for each");
+    if (!is_folder(*folder))
+        return fail("FIL0101", "there is no such folder", fmt::format("create it: mkdir -p '{}'", *folder), *folder);
+    const std::string& input = inputs.front();
+    const Result<std::string> bytes =
+        input == "-" ? read_standard_input(limit("archive-bytes")) : read_file(input, limit("archive-bytes"));
+    if (!bytes) return Unexpected(bytes.error());
+    const Result<Gldf> gldf = read_gldf(*bytes, input);
+    if (!gldf) return Unexpected(gldf.error());
+    const Result<Archive> archive = Archive::open(*bytes, input);
+    if (!archive) return Unexpected(archive.error());
+    std::vector<OutputFile> files;
+    std::set<std::string> names;
+    std::string said;
+    for (const GldfFile& file : gldf->files) {
+        if (file.entry.empty() || !(file.content_type.starts_with("ldc") || file.content_type.starts_with("spectrum")))
+            continue;
+        std::string name = file_name(file.entry);
+        if (!names.insert(to_lower(name)).second) {
+            name = file.entry;
+            std::replace(name.begin(), name.end(), '/', '.');
+            if (!names.insert(to_lower(name)).second) continue; // the same file by another identifier
+        }
+        const std::string output = *folder + "/" + name;
+        if (file_exists(output) && !arguments.has("--overwrite"))
+            return fail("USE0108", fmt::format("'{}' exists", output), "add --overwrite");
+        Result<std::string> inside = archive->read(*archive->find(file.entry));
+        if (!inside) return pass_on(inside);
+        files.push_back({output, std::move(*inside)});
+        said += fmt::format("{}/{} -> {}\n", input, file.entry, output);
+    }
+    if (files.empty()) return fail("INP0101", "the GLDF has no photometric file and no spectrum", {}, input);
+    if (!arguments.has("--dry-run"))
+        if (Result<void> written = write_outputs(files); !written) return pass_on(written);
+    console.print(said);
+    console.say(gldf->diagnostics);
+    return 0;
+}
+
 Result<int> convert_all(const Arguments& arguments, Console& console) {
     Result<std::vector<std::string>> inputs = input_files(arguments);
     if (!inputs) return pass_on(inputs);
+    if (arguments.has("--extract")) return extract(arguments, *inputs, console);
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     if (arguments.has("--output-dir") && !arguments.has("--to") && !arguments.has("--dialect"))
-        return fail("USE0104", "-O needs a format", "add --to ies, --to ldt, --to tm33 or --dialect NAME");
+        return fail("USE0104", "-O needs a format", "add --to ies, --to ldt, --to tm33, --to gldf or --dialect NAME");
     const std::string format = arguments.value("--to").value_or("ies");
     Result<std::vector<Job>> jobs = plan_outputs(arguments, *inputs, format == "tm33" ? "xml" : format);
     if (!jobs) return pass_on(jobs);
@@ -165,11 +297,18 @@ Result<int> convert_all(const Arguments& arguments, Console& console) {
     for (const Job& job : *jobs)
         outputs.push_back(job.output);
     console.say(names_that_differ_by_case(outputs));
-    const Result<ProfileTarget> target = profile_target(arguments, jobs->front().output);
+    const auto named = arguments.value("--to");
+    const bool to_gldf = equals_any_case(named ? *named : std::string(extension_of(jobs->front().output)), "gldf");
+    for (const std::string_view option : {"--dialect", "--compact", "--smooth", "--azimuth"})
+        if (to_gldf && arguments.has(option))
+            return fail("USE0107", fmt::format("a profile goes into a GLDF as it is: {} has no effect", option),
+                        "convert it to a profile first");
+    const Result<ProfileTarget> target =
+        to_gldf ? Result<ProfileTarget>(ProfileTarget::lm63) : profile_target(arguments, jobs->front().output);
     if (!target) return Unexpected(target.error());
     const Result<std::optional<double>> compact = compact_tolerance(arguments);
     if (!compact) return Unexpected(compact.error());
-    const Request request{*target, *input, *compact};
+    const Request request{*target, *input, *compact, to_gldf};
     const ReportKind kind = report_kind(arguments);
     if (kind != ReportKind::words && jobs->front().output == "-") return both_to_standard_output("profile");
     std::erase_if(*jobs, [](const Job& job) { return job.skip; });
@@ -197,7 +336,7 @@ const Command convert_command{
     "convert",
     "write a profile in another format or dialect, and report what is lost",
     "FILE… -o OUT | -O DIR [options]",
-    "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
+    "FILE is an IES, EULUMDAT, TM-33 or GLDF profile, a folder of profiles, '-' for stdin, or @LIST\n"
     "for a list of files.",
     groups,
     examples,

@@ -1,5 +1,6 @@
 #include <gonio/asset/facts_record.hpp>
 #include <gonio/asset/figures_record.hpp>
+#include <gonio/base/archive.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/figures/luminaire_figures.hpp>
@@ -12,6 +13,7 @@
 #include "../csv_text.hpp"
 #include "../facts_text.hpp"
 #include "../figures_text.hpp"
+#include "../gldf_text.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
 #include "../options/profile_input.hpp"
@@ -42,6 +44,7 @@ constexpr std::array report_options{
 constexpr std::array groups{OptionGroup{"report", report_options}, profile_input_group, threads_group, common_group};
 constexpr std::array examples{
     Example{"gonio info lamp.ies", "format, angles, flux, peak, beam and field angle"},
+    Example{"gonio info lamp.gldf --variant warm", "a luminaire with its variants, and the photometry of one"},
     Example{"gonio info office.ldt --figures", "its UGR table, utilisation factors, luminances and classes"},
     Example{"gonio info profiles --csv > profiles.csv", "a table of a folder, for a spreadsheet"},
     Example{"gonio info *.ldt --jsonl | jq -r 'select(.peak_cd > 5000).file'", "the bright profiles of a folder"},
@@ -127,12 +130,21 @@ int run(const Arguments& arguments, Console& console) {
             outcome.error = std::move(loaded.error());
             return outcome;
         }
+        std::optional<Gldf> gldf;
+        if (is_archive(loaded->bytes)) {
+            Result<Gldf> read = read_gldf(loaded->bytes, file);
+            if (read) gldf = std::move(*read);
+        }
         const bool more = all || kind != ReportKind::words;
         const ProfileFacts facts = profile_facts(loaded->profile, loaded->web, options->resolve, more);
         if (csv) {
             outcome.words = csv_line(file, facts);
         } else if (kind == ReportKind::words) {
-            outcome.words = file + "\n" + text_of(fact_lines(facts));
+            outcome.words = file + "\n";
+            if (gldf)
+                outcome.words +=
+                    gldf_text(*gldf) + text_of({{"photometry", loaded->profile.source.substr(file.size() + 1)}});
+            outcome.words += text_of(fact_lines(facts));
             if (all) outcome.words += text_of(more_fact_lines(facts));
             if (figures)
                 outcome.words +=
@@ -144,6 +156,10 @@ int run(const Arguments& arguments, Console& console) {
             outcome.report.erase("diagnostics");
             outcome.report.update(detail::figures_json(figures_of(*loaded)));
             add_spectra(loaded->profile, outcome.report);
+            if (gldf) {
+                outcome.report["gldf"] = gldf_json(*gldf);
+                outcome.report["photometry_file"] = loaded->profile.source;
+            }
             outcome.report["diagnostics"] = std::move(diagnostics);
         }
         outcome.diagnostics = std::move(loaded->diagnostics);
@@ -154,13 +170,14 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command info_command;
-const Command info_command{"info",
-                           "show the format, angles, symmetry, flux, peak, beam and field of a profile",
-                           "FILE… [options]",
-                           "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
-                           "for a list of files.",
-                           groups,
-                           examples,
-                           run};
+const Command info_command{
+    "info",
+    "show the format, angles, symmetry, flux, peak, beam and field of a profile",
+    "FILE… [options]",
+    "FILE is an IES, EULUMDAT, TM-33 or GLDF profile, a folder of profiles, '-' for stdin, or @LIST\n"
+    "for a list of files.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

@@ -40,6 +40,7 @@ constexpr std::array examples{
     Example{"gonio lights scene.gltf", "every light: lumens, candela, nits, kelvin, size, position"},
     Example{"gonio lights scene.usda --to-rig -o rig.json", "the lights as a rig"},
     Example{"gonio import rig.json --to blender -O out/", "and from there to any other program"},
+    Example{"gonio lights moving-head.gdtf --zoom 10deg", "the beams of a stage fixture"},
     Example{"gonio lights scene.glb --audit", "watts taken for candela, wrong cones, black lights"},
     Example{"gonio lights --script unreal -o gonio_lights.py", "for the editor: it lists the level's lights as JSON"},
     Example{"gonio lights scene.glb --fix -o fixed.glb", "the same file with corrected numbers"},
@@ -76,7 +77,9 @@ Result<void> write_rig(const FoundScene& scene, const SceneRequest& request, con
         const std::string key = light.profile ? fmt::format("/{}", *light.profile) : written;
         const auto [at, is_new] = names.try_emplace(key);
         if (!is_new) return at->second;
-        std::string base = light.profile ? scene.profiles[*light.profile].name + ".ies" : plain_file_name(written);
+        std::string base = light.profile
+                               ? scene.profiles[*light.profile].name + "." + scene.profiles[*light.profile].ending
+                               : plain_file_name(written);
         std::string free = prefix + "." + base;
         for (int number = 2; taken.contains(free); ++number)
             free = fmt::format("{}.{}.{}", prefix, number, base);
@@ -144,6 +147,13 @@ Result<int> run_lights(const Arguments& arguments, Console& console) {
     const Stopwatch watch;
     Result<FoundScene> scene = read_scene_lights(request->bytes, request->file, request->options, request->format);
     if (!scene) return pass_on(scene);
+    if (!request->options.variant.empty() && scene->format != "gldf" && scene->format != "gdtf")
+        return fail("USE0107",
+                    fmt::format("--variant is for GLDF and GDTF, and '{}' is {}", request->file, scene->format),
+                    "leave it out");
+    if (request->options.zoom && scene->format != "gdtf")
+        return fail("USE0107", fmt::format("--zoom is for GDTF, and '{}' is {}", request->file, scene->format),
+                    "leave it out");
     if (request->options.time && scene->format != "usd")
         return fail("USE0107", fmt::format("--time is for USD, and '{}' is {}", request->file, scene->format),
                     "leave it out");

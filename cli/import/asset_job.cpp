@@ -205,7 +205,7 @@ Result<Source> read_source(const ImportJob& job, const ImportRequest& request) {
     if (request.described) return described_source(job, request);
     const std::string& file = job.file;
     Result<std::string> bytes =
-        file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("rig-bytes"));
+        file == "-" ? read_standard_input(limit("archive-bytes")) : read_file(file, limit("rig-bytes"));
     if (!bytes) return pass_on(bytes);
     Source source{job.name, job.folder, {file, {}}, std::move(*bytes), {}};
     if (file == "-" || !is_rig(source.bytes)) {

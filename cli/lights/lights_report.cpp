@@ -198,6 +198,8 @@ void print_lights_json(const FoundScene& scene, const std::vector<LightMeasures>
             one["position"] = vector_json(light.position);
             one["direction"] = vector_json(light.direction);
             one["up"] = vector_json(light.up);
+            if (light.zoom)
+                one["zoom_deg"] = Json::array({to_degrees(light.zoom->least), to_degrees(light.zoom->most)});
             if (light.range) one["range_m"] = light.range->value;
         }
         one["remarks"] = Json::array();

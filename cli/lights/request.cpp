@@ -42,6 +42,12 @@ Result<SceneRequest> parse_scene(const Arguments& arguments) {
         if (!request.options.time)
             return fail("USE0105", fmt::format("--time takes a number, not '{}'", *text), "for example --time 12");
     }
+    request.options.variant = arguments.value("--variant").value_or("");
+    if (const auto text = arguments.value("--zoom")) {
+        Result<double> zoom = parse_amount(*text, Dimension::angle, "--zoom");
+        if (!zoom) return pass_on(zoom);
+        request.options.zoom = Radians(*zoom);
+    }
     if (const auto text = arguments.value("--lm-per-watt")) {
         Result<Efficacy> efficacy = parse_efficacy(*text);
         if (!efficacy) return pass_on(efficacy);

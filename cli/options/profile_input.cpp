@@ -1,5 +1,6 @@
 #include "profile_input.hpp"
 
+#include <gonio/base/archive.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/named.hpp>
@@ -69,7 +70,8 @@ Result<void> add_list(const std::string& list, std::vector<std::string>& files) 
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
     ProfileInputOptions options;
-    if (const auto format = arguments.value("--from")) {
+    // The content alone shows that a file is GLDF.
+    if (const auto format = arguments.value("--from"); format && *format != "gldf") {
         constexpr std::array formats{Named{"ies", ProfileFormat::ies}, Named{"ldt", ProfileFormat::ldt},
                                      Named{"tm33", ProfileFormat::tm33}};
         Result<ProfileFormat> named = find_value("format", *format, formats);
@@ -78,6 +80,7 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
     }
     options.read.strict = arguments.has("--strict");
     options.resolve.as_candela = arguments.has("--as-candela");
+    options.read.choice = {arguments.value("--variant").value_or(""), arguments.value("--emitter").value_or("")};
     if (const auto text = arguments.value("--lamp-set")) {
         const char* const end = text->data() + text->size();
         const auto [stop, error] = std::from_chars(text->data(), end, options.resolve.lamp_set);
@@ -106,6 +109,8 @@ std::string recipe_of(const ProfileInputOptions& options) {
     const ResolveOptions& resolve = options.resolve;
     std::string text;
     if (options.read.format) text += fmt::format(" from={}", to_text(*options.read.format));
+    if (!options.read.choice.variant.empty()) text += fmt::format(" variant={}", options.read.choice.variant);
+    if (!options.read.choice.emitter.empty()) text += fmt::format(" emitter={}", options.read.choice.emitter);
     if (options.read.strict) text += " strict";
     if (resolve.as_candela) text += " as-candela";
     if (resolve.lamp_set != 1) text += fmt::format(" lamp-set={}", resolve.lamp_set);
@@ -133,15 +138,17 @@ std::string_view luminaire_name(const ProfileHeader& header) {
 
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options) {
     Result<std::string> bytes =
-        file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("profile-bytes"));
+        file == "-" ? read_standard_input(limit("archive-bytes")) : read_file(file, limit_of_profile(file));
     if (!bytes) return pass_on(bytes);
     return load_bytes(std::move(*bytes), file, options);
 }
 
 Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, const ProfileInputOptions& options) {
-    if (bytes.size() > limit("profile-bytes").value)
-        return fail("FIL0104", fmt::format("larger than {}", to_text(limit("profile-bytes"))), std::string(limits_hint),
-                    file);
+    const Limit& most = is_archive(bytes) ? limit("archive-bytes") : limit("profile-bytes");
+    if (bytes.size() > most.value)
+        return fail("FIL0104", fmt::format("larger than {}", to_text(most)), std::string(limits_hint), file);
+    if (!is_archive(bytes) && !(options.read.choice.variant.empty() && options.read.choice.emitter.empty()))
+        return fail("USE0107", "--variant and --emitter are for GLDF", "leave them out", file);
     ReadOptions read = options.read;
     if (file != "-") read.read_beside = reader_beside(file);
     Result<Profile> profile = read_profile(bytes, file, read);

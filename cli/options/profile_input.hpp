@@ -23,6 +23,8 @@ inline constexpr std::array profile_input_options{
     Option{"--tilt", "DEG", "IES with TILT factors: mounting tilt of the lamp, for example 30deg (0deg)"},
     Option{"--azimuth", "TRADITION",
            "azimuth convention, ies or eulumdat: rotates files of the other one by 90° (as written)"},
+    Option{"--variant", "NAME", "GLDF: the photometry of this variant, by identifier or name (the first)"},
+    Option{"--emitter", "NAME", "GLDF: the photometry of this emitter, by identifier or name (the first)"},
     smooth_option,
     Option{"--as-candela", "", "take the numbers of a radiometric profile (mW/sr) as candela"},
     Option{"--strict", "", "refuse files that depart from the standard"},
@@ -31,7 +33,7 @@ inline constexpr std::array profile_input_options{
 inline constexpr OptionGroup profile_input_group{"input", profile_input_options};
 
 // The endings of profiles in a folder; other XML files have the third, too.
-inline constexpr std::array<std::string_view, 4> profile_extensions{"ies", "ldt", "xml", "tm33"};
+inline constexpr std::array<std::string_view, 5> profile_extensions{"ies", "ldt", "xml", "tm33", "gldf"};
 
 struct ProfileInputOptions {
     ReadOptions read;

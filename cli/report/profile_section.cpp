@@ -225,7 +225,7 @@ ProfilePart profile_part(const std::string& file, const std::string& label, std:
                          const ProfilePartOptions& options, const Console& console, Diagnostics& diagnostics,
                          std::optional<Error>& error) {
     Result<std::string> bytes =
-        file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("profile-bytes"));
+        file == "-" ? read_standard_input(limit("archive-bytes")) : read_file(file, limit_of_profile(file));
     if (!bytes) {
         error = std::move(bytes.error());
         return failed_part(file, label, number, *error, {});

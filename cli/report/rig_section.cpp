@@ -218,7 +218,7 @@ bool is_profile(const std::string& file) {
 void keep_profiles(const std::string& folder, std::span<const std::string> files, RigPart& part) {
     for (const std::string& file : files) {
         if (!is_profile(file)) continue;
-        Result<std::string> bytes = read_file(file, limit("profile-bytes"));
+        Result<std::string> bytes = read_file(file, limit_of_profile(file));
         if (!bytes) continue;
         const bool is_inside = !folder.empty() && file.starts_with(folder + "/");
         part.profiles.emplace_back(is_inside ? file.substr(folder.size() + 1) : file, std::move(*bytes));

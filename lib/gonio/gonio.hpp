@@ -89,6 +89,7 @@
 #include <gonio/preview/render_stats.hpp>
 #include <gonio/preview/tone_map.hpp>
 #include <gonio/profile/field_places.hpp>
+#include <gonio/profile/gldf.hpp>
 #include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/photometry_type.hpp>
 #include <gonio/profile/profile.hpp>

@@ -1,3 +1,5 @@
+import zipfile
+
 import numpy as np
 import pytest
 
@@ -65,6 +67,19 @@ def test_conversion_reports_losses_and_keeps_the_light(profiles, tmp_path):
     assert again.format == "LDT"
     assert again.web().difference(profile.web()).relative < 1e-12
     assert gonio.parse(profile.to_bytes(), "copy.ies").to_bytes() == profile.to_bytes()
+
+
+def test_reads_the_photometry_of_a_gldf(profiles, tmp_path):
+    product = (
+        '<Root><GeneralDefinitions><Files><File id="f" contentType="ldc/eulumdat" type="localFileName">a.ldt</File></Files>'
+        '<Photometries><Photometry id="p"><PhotometryFileReference fileId="f"/></Photometry></Photometries>'
+        "</GeneralDefinitions></Root>"
+    )
+    with zipfile.ZipFile(tmp_path / "lamp.gldf", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("product.xml", product)
+        archive.write(profiles / "downlight.ldt", "ldc/a.ldt")
+    web = gonio.read(tmp_path / "lamp.gldf").web()
+    assert web.flux_lm == gonio.read(profiles / "downlight.ldt").web().flux_lm
 
 
 def test_edits():

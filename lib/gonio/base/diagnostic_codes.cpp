@@ -1,3 +1,4 @@
+#include <gonio/base/codes/archive.hpp>
 #include <gonio/base/codes/failure.hpp>
 #include <gonio/base/codes/profile.hpp>
 #include <gonio/base/codes/result.hpp>
@@ -21,7 +22,8 @@ constexpr auto joined(const std::array<DiagnosticCode, Sizes>&... tables) {
     return all;
 }
 
-constexpr auto all_codes = joined(profile_codes, web_codes, rig_codes, scene_codes, result_codes, failure_codes);
+constexpr auto all_codes =
+    joined(profile_codes, archive_codes, web_codes, rig_codes, scene_codes, result_codes, failure_codes);
 static_assert(in_order(all_codes));
 
 constexpr std::array groups{
@@ -38,6 +40,11 @@ constexpr std::array groups{
     DiagnosticGroup{"TM302", "TM-33: numbers and counts"},
     DiagnosticGroup{"TM303", "TM-33: angles"},
     DiagnosticGroup{"TM304", "TM-33: the table"},
+    DiagnosticGroup{"ARC01", "Archives: the container"},
+    DiagnosticGroup{"ARC02", "Archives: the XML in them"},
+    DiagnosticGroup{"GLD01", "GLDF: the luminaire"},
+    DiagnosticGroup{"GLD02", "GLDF: what it states"},
+    DiagnosticGroup{"GLD03", "GLDF: writing"},
     DiagnosticGroup{"WEB01", "What a file means"},
     DiagnosticGroup{"WEB02", "What is lost or changed in another format"},
     DiagnosticGroup{"WEB03", "Whether such a light can be"},

@@ -39,6 +39,13 @@ inline constexpr std::array limits{
     Limit{"output-bytes", 4096 * mebibyte, "bytes", "a file that gonio wrote and reads again: -u, manifests"},
     Limit{"list-bytes", 64 * mebibyte, "bytes", "a list of file names, @LIST"},
     Limit{"file-bytes", 256 * mebibyte, "bytes", "any other file, and stdin"},
+    // Archives: GLDF, GDTF, USDZ
+    Limit{"archive-bytes", 256 * mebibyte, "bytes", "a GLDF, as a file; scenes have the limit scene-bytes"},
+    Limit{"archive-entries", 10000, "files", "an archive"},
+    Limit{"archive-entry-bytes", 256 * mebibyte, "bytes", "one file of an archive, unpacked"},
+    Limit{"archive-unpacked-bytes", 1024 * mebibyte, "bytes", "all files of an archive together, unpacked"},
+    Limit{"archive-ratio", 200, "times", "how far a file of more than 1 MiB in an archive unpacks"},
+    Limit{"archive-xml-bytes", 16 * mebibyte, "bytes", "product.xml of GLDF, description.xml of GDTF"},
     // JSON
     Limit{"json-depth", 64, "levels", "nested arrays and objects, except in a rig"},
     Limit{"json-keys", 1024, "keys", "one JSON object"},
@@ -56,6 +63,7 @@ inline constexpr std::array limits{
     Limit{"scene-bytes", 1024 * mebibyte, "bytes", "a scene of another program"},
     Limit{"scene-nodes", std::size_t{1} << 24U, "nodes", "such a scene"},
     Limit{"scene-depth", 256, "levels", "nested blocks of such a scene; the tree of glTF has no limit"},
+    Limit{"scene-layers", 1000, "layers", "files of USD that one scene names"},
     Limit{"scene-lights", std::size_t{1} << 20U, "lights", "such a scene"},
     // Text
     Limit{"kind-bytes", 16 * kibibyte, "bytes", "the text of a shape, a material or another KIND:key=value,…"},

@@ -27,6 +27,12 @@ struct LightRemark {
     std::string hint;                     // may be empty
 };
 
+// Full beam angles.
+struct ZoomRange {
+    Radians least;
+    Radians most;
+};
+
 // A light of a scene.
 struct FoundLight {
     std::string name;
@@ -44,6 +50,7 @@ struct FoundLight {
     glm::dvec3 direction{0.0, 0.0, -1.0};      // in which it emits, unit length
     glm::dvec3 up{0.0, 1.0, 0.0};              // the shape's Y, unit length
     std::optional<Meters> range;               // absent: no window
+    std::optional<ZoomRange> zoom;             // of a beam that can be made narrower and wider
     double stated_amount = 0.0;                // the amount's number, as in the file
     double stated_color_max = 1.0;             // the greatest channel of the colour, as in the file
     bool is_tinted = false;                    // the file states a colour other than grey
@@ -59,7 +66,8 @@ struct FoundLight {
 // A profile that is inside a scene's file.
 struct FoundProfile {
     std::string name;  // of a file, without its ending: letters, digits, '_' and '-'
-    std::string bytes; // of the IES file
+    std::string bytes; // of the file
+    std::string ending = "ies";
 };
 
 // The lights of a scene, in the order of the file.

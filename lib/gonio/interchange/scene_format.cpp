@@ -1,8 +1,10 @@
+#include <gonio/base/archive.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/interchange/detail/reading.hpp>
 #include <gonio/interchange/scene_format.hpp>
+#include <gonio/profile/gldf.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/resolve.hpp>
@@ -23,13 +25,19 @@ using namespace interchange_detail;
 constexpr std::array formats{
     SceneFormat{"engine-json", "lights that a script lists inside Unreal or Unity: gonio lights --script", ".json",
                 is_engine_export, read_engine_export},
+    SceneFormat{"gdtf", "GDTF: the beams of a stage fixture, with their zoom, estimated from their angles", ".gdtf",
+                is_gdtf, read_gdtf},
+    SceneFormat{"gldf", "GLDF: the emitters of a luminaire, with their photometries", ".gldf", is_gldf,
+                read_gldf_lights},
     SceneFormat{"gltf", "glTF 2.0: KHR_lights_punctual, EXT_lights_ies, EXT_lights_area, meshes that glow",
                 ".gltf, .glb", is_gltf, read_gltf},
     SceneFormat{"luxcore", "LuxCore's properties", ".scn", is_luxcore, read_luxcore},
     SceneFormat{"mitsuba", "Mitsuba 3, with the files that it includes", ".xml", is_mitsuba, read_mitsuba},
     SceneFormat{"pbrt", "pbrt-v4, with the files that it includes", ".pbrt", is_pbrt, read_pbrt},
-    SceneFormat{"usd", "USD as text: UsdLux with exposure, normalize, shaping, profiles, colour temperature", ".usda",
-                is_usda, read_usda},
+    SceneFormat{"usd",
+                "USD as text, with the layers, references and variants that it names: UsdLux with exposure, normalize, "
+                "shaping, profiles, colour temperature",
+                ".usda, .usdz", is_usd, read_usd},
 };
 
 std::string names_of_formats() {
@@ -47,7 +55,6 @@ struct BinaryForm {
 };
 constexpr std::array binary_forms{
     BinaryForm{"PXR-USDC", "this is binary USD (USDC)", "convert it first: usdcat scene.usdc -o scene.usda"},
-    BinaryForm{"PK\x03\x04", "this is an archive, such as USDZ", "convert it first: usdcat scene.usdz -o scene.usda"},
     BinaryForm{"BLENDER", "this is a Blender file", "export it from Blender as glTF or USD"},
 };
 
@@ -105,6 +112,13 @@ Result<const SceneFormat*> scene_format_of(std::string_view bytes, const std::st
                                std::string(form.hint));
     for (const SceneFormat& format : formats)
         if (format.is_content(bytes)) return &format;
+    if (is_archive(bytes)) {
+        Result<Archive> archive = Archive::open(bytes, source);
+        if (!archive) return pass_on(archive);
+        return scene_error("SCN0101", {source, 0, 0},
+                           "this archive is none that gonio reads: it has neither product.xml (GLDF) nor "
+                           "description.xml (GDTF), and does not begin with a layer of USD (USDZ)");
+    }
     return scene_error("SCN0101", {source, 0, 0}, "this is not a scene of a format that gonio reads",
                        fmt::format("gonio reads {}; --from names one", names_of_formats()));
 }

@@ -22,6 +22,8 @@ struct SceneReadOptions {
     std::optional<Meters> unit; // length of the scene's unit; absent: as the file or its format says, else 1 m
     std::optional<char> up;     // 'y' or 'z': the axis that points up; absent: as the file or its format says
     std::optional<double> lumens_per_watt; // of formats that store watts; absent: as each format's reader says
+    std::string variant = {}; // which of several that the file has: of GLDF a variant, of GDTF a mode; empty: the first
+    std::optional<Radians> zoom = {}; // full beam angle of beams that zoom (GDTF); absent: as the file states
     // When, of values that change, in the file's time codes; absent: what the file says without a time, else the first.
     std::optional<double> time = {};
     // The bytes of another file that the scene names, relative to the scene. Fails (io). Empty: no file is read.

@@ -1,8 +1,9 @@
-// UsdLux, in the text form of USD. L = intensity · 2^exposure · colour · black body [nits]; `normalize` divides by the
+// UsdLux. L = intensity · 2^exposure · colour · black body [nits]; `normalize` divides by the
 // area in the stage's units, and makes the intensity of a distant light its lux. Sizes are scaled by the transformation
 // and the stage's metersPerUnit. Light goes along −Z; the axis of a cylinder is X. A cone is a half angle in degrees
 // within which the light falls smoothly over the angle. A sphere that is treated as a point is a point.
 #include <gonio/base/limits.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/interchange/detail/reading.hpp>
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -34,8 +36,8 @@ constexpr std::uint32_t no_prim = 0xffffffff;
 
 class UsdReader {
 public:
-    UsdReader(UsdLayer layer, std::string_view text, const std::string& source, const SceneReadOptions& options)
-        : layer_(std::move(layer)), options_(options), source_(source), places_(text, source) {}
+    UsdReader(UsdStage stage, const std::string& source, const SceneReadOptions& options)
+        : stage_(std::move(stage)), layer_(stage_.layer), options_(options), source_(source) {}
 
     Result<FoundScene> read() {
         scene_.generator = layer_.doc;
@@ -51,15 +53,9 @@ public:
             if (!is_light && !has_schema("MeshLightAPI") && !has_schema("VolumeLightAPI")) continue;
             if (Result<void> read = read_light(i); !read) return pass_on(read);
             if (scene_.lights.size() > limit("scene-lights").value)
-                return scene_error("SCN0108", places_.at(prim.offset),
-                                   fmt::format("more than {}", to_text(limit("scene-lights"))));
+                return scene_error("SCN0108", place(prim), fmt::format("more than {}", to_text(limit("scene-lights"))));
         }
-        if (!layer_.unresolved.empty())
-            warn(scene_, "SCN0107", places_.at(layer_.unresolved.front()),
-                 fmt::format(
-                     "references, variants and layers are not followed ({} in the file): lights in them are missing",
-                     layer_.unresolved.size()),
-                 "flatten it first: usdcat --flatten scene.usd -o scene.usda");
+        scene_.diagnostics.insert(scene_.diagnostics.begin(), stage_.diagnostics.begin(), stage_.diagnostics.end());
         if (scene_.lights.empty()) return std::move(scene_);
         if (!layer_.states_unit && !options_.unit)
             warn(scene_, "SCN0201", {source_, 0, 0}, "metersPerUnit is not stated: centimetres are assumed, as in USD",
@@ -74,6 +70,9 @@ public:
     }
 
 private:
+    Location place(const UsdPrim& prim) { return stage_.place(prim.layer, prim.offset); }
+    Location place(const UsdValue& value) { return stage_.place(value.layer, value.offset); }
+
     // The value of an attribute; `inputs:` is left out before 21.02.
     const UsdValue* value(FoundLight* light, const UsdPrim& prim, std::string_view name) {
         const UsdAttribute* found = prim.find(fmt::format("inputs:{}", name));
@@ -140,7 +139,7 @@ private:
         const UsdValue* const found = value(&light, prim, name);
         if (found == nullptr) return otherwise;
         if (found->numbers.size() != 1)
-            return scene_error("SCN0105", places_.at(found->offset), fmt::format("'{}' must be a number", name));
+            return scene_error("SCN0105", place(*found), fmt::format("'{}' must be a number", name));
         return found->numbers.front();
     }
 
@@ -158,14 +157,14 @@ private:
         const UsdAttribute* const attribute = prim.find(name);
         const UsdValue* const found = attribute != nullptr ? value(nullptr, prim, name) : nullptr;
         if (found == nullptr)
-            return scene_error("SCN0103", places_.at(prim.offset),
+            return scene_error("SCN0103", place(prim),
                                fmt::format("xformOpOrder names '{}', which has no value", name.substr(0, 80)));
         moves_ = moves_ || (!options_.time && !attribute->value.is_set && attribute->samples.size() > 1);
         const std::vector<double>& v = found->numbers;
         std::string_view kind = name.substr(std::min(std::string_view("xformOp:").size(), name.size()));
         kind = kind.substr(0, kind.find(':'));
         const auto wrong = [&] {
-            return scene_error("SCN0105", places_.at(found->offset),
+            return scene_error("SCN0105", place(*found),
                                fmt::format("'{}' has {} numbers", name.substr(0, 80), v.size()));
         };
         glm::dmat4 one(1.0);
@@ -201,8 +200,7 @@ private:
             }
             return one;
         }
-        return scene_error("SCN0103", places_.at(prim.offset),
-                           fmt::format("there is no transformation '{}'", name.substr(0, 80)));
+        return scene_error("SCN0103", place(prim), fmt::format("there is no transformation '{}'", name.substr(0, 80)));
     }
 
     Result<glm::dmat4> local(const UsdPrim& prim, bool& resets) {
@@ -250,7 +248,7 @@ private:
     bool is_shown(std::uint32_t at) {
         for (; at != no_prim; at = layer_.prims[at].parent) {
             const UsdPrim& prim = layer_.prims[at];
-            if (prim.is_class || !prim.is_active) return false;
+            if (prim.specifier != UsdSpecifier::def || !prim.active.value_or(true)) return false;
             const UsdValue* const visibility = value(nullptr, prim, "visibility");
             if (visibility != nullptr && !visibility->texts.empty() && visibility->texts[0] == "invisible")
                 return false;
@@ -264,7 +262,7 @@ private:
         light.name = prim.name;
         light.kind = prim.type.substr(0, 40);
         light.place = path_of(at);
-        light.location = places_.at(prim.offset);
+        light.location = place(prim);
         Result<glm::dmat4> world = world_of(at);
         if (!world) return pass_on(world);
         changing_.clear();
@@ -293,7 +291,7 @@ private:
         glm::dvec3 rgb(1.0);
         if (const UsdValue* const color = value(&light, prim, "color")) {
             if (color->numbers.size() != 3)
-                return scene_error("SCN0105", places_.at(color->offset), "'color' must have three numbers");
+                return scene_error("SCN0105", place(*color), "'color' must have three numbers");
             rgb = {color->numbers[0], color->numbers[1], color->numbers[2]};
             if (rgb != glm::dvec3(1.0)) light.stated += fmt::format(", color {}", numbers_text(rgb));
         }
@@ -335,7 +333,8 @@ private:
         double angle = 90.0;
         double softness = 0.0;
         double focus = 0.0;
-        std::string file;
+        std::string file; // relative to the scene's folder, or in the archive
+        int archive = -1;
         bool normalized = false;
     };
 
@@ -354,8 +353,13 @@ private:
             *into = *read;
         }
         if (const UsdValue* const file = value(&light, prim, "shaping:ies:file");
-            file != nullptr && !file->texts.empty())
-            shaping.file = file->texts.front();
+            file != nullptr && !file->texts.empty() && !file->texts.front().empty()) {
+            const UsdSource& from = stage_.sources[file->layer];
+            shaping.archive = from.archive;
+            // As written where it is beside the scene.
+            const bool is_beside = from.archive < 0 && from.name.find('/') == std::string::npos;
+            shaping.file = is_beside ? file->texts.front() : usd_file_name(from, file->texts.front());
+        }
         Result<double> normalized = number(light, prim, "shaping:ies:normalize", 0.0);
         if (!normalized) return pass_on(normalized);
         shaping.normalized = *normalized != 0.0;
@@ -440,6 +444,27 @@ private:
         return {};
     }
 
+    // Of the scene's profiles, if it is in the archive and can be unpacked.
+    std::optional<std::size_t> profile_of(const Shaping& shaping) {
+        const auto [at, is_new] = profiles_.try_emplace({shaping.archive, shaping.file});
+        if (!is_new) return at->second;
+        const Archive& archive = stage_.archives[static_cast<std::size_t>(shaping.archive)];
+        const ArchiveEntry* const entry = archive.find(shaping.file);
+        if (entry == nullptr || entry->size > limit("profile-bytes").value) return std::nullopt;
+        Result<std::string> bytes = archive.read(*entry);
+        if (!bytes) return std::nullopt;
+        FoundProfile found;
+        for (const char c : without_extension(file_name(entry->name))) {
+            const bool is_plain =
+                (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+            found.name += is_plain ? c : '_';
+        }
+        found.bytes = std::move(*bytes);
+        at->second = scene_.profiles.size();
+        scene_.profiles.push_back(std::move(found));
+        return at->second;
+    }
+
     // A sphere as a point, a spot or a profile.
     Result<void> punctual(FoundLight& light, const Shaping& shaping, double candela, bool as_point) {
         light.intensity = amount(candela, "cd");
@@ -450,6 +475,14 @@ private:
         if (!shaping.file.empty()) {
             ProfileShape profile;
             profile.file = shaping.file;
+            if (shaping.archive >= 0) {
+                light.profile = profile_of(shaping);
+                if (!light.profile) {
+                    light.shape.reset();
+                    remark(light, "SCN0107", fmt::format("the profile '{}' is not in the archive", shaping.file));
+                    return {};
+                }
+            }
             light.shape = profile;
             if (!as_point) remark(light, "SCN0202", lost);
             if (shaping.focus != 0.0 || shaping.angle < 90.0)
@@ -496,14 +529,15 @@ private:
         if (cuts) only_list(light, fmt::format("an area light with a cone of {}°", rounded(shaping.angle)));
     }
 
-    UsdLayer layer_;
+    UsdStage stage_;
+    const UsdLayer& layer_;
     const SceneReadOptions& options_;
     const std::string& source_;
-    LinePlaces places_;
     FoundScene scene_;
-    std::vector<std::optional<glm::dmat4>> worlds_; // by prim
-    std::deque<UsdValue> made_;                     // between samples
-    std::vector<std::string> changing_;             // attributes of the light that is read
+    std::vector<std::optional<glm::dmat4>> worlds_;                              // by prim
+    std::deque<UsdValue> made_;                                                  // between samples
+    std::vector<std::string> changing_;                                          // attributes of the light that is read
+    std::map<std::pair<int, std::string>, std::optional<std::size_t>> profiles_; // in archives
     char up_ = 'y';
     bool moves_ = false; // a transformation above a light changes over time
 };
@@ -516,10 +550,19 @@ bool is_usda(std::string_view bytes) {
     return bytes.starts_with("#usda");
 }
 
-Result<FoundScene> read_usda(std::string_view bytes, const std::string& source, const SceneReadOptions& options) {
-    Result<UsdLayer> layer = parse_usda(bytes, source);
-    if (!layer) return pass_on(layer);
-    return UsdReader(std::move(*layer), bytes, source, options).read();
+bool is_usd(std::string_view bytes) {
+    if (!is_archive(bytes)) return is_usda(bytes);
+    const Result<Archive> archive = Archive::open(bytes, "");
+    if (!archive || archive->entries().empty()) return false;
+    const std::string_view first = archive->entries().front().name;
+    return ends_with_any_case(first, ".usda") || ends_with_any_case(first, ".usd") ||
+           ends_with_any_case(first, ".usdc");
+}
+
+Result<FoundScene> read_usd(std::string_view bytes, const std::string& source, const SceneReadOptions& options) {
+    Result<UsdStage> stage = compose_usd(bytes, source, options);
+    if (!stage) return pass_on(stage);
+    return UsdReader(std::move(*stage), source, options).read();
 }
 
 } // namespace gonio::interchange_detail

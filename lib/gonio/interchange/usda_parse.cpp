@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -34,6 +35,14 @@ bool is_word_character(char c) {
            c == '!' || static_cast<unsigned char>(c) >= 0x80;
 }
 
+// Names of lights before 21.02, which an override may have without the type.
+bool is_old_name(std::string_view attribute) {
+    constexpr std::array<std::string_view, 11> names{
+        "intensity", "exposure", "color",  "normalize", "colorTemperature", "enableColorTemperature", "radius",
+        "width",     "height",   "length", "angle"};
+    return attribute.starts_with("shaping:") || std::find(names.begin(), names.end(), attribute) != names.end();
+}
+
 // Attributes of other prims are dropped, so that meshes take no memory.
 bool holds_light(std::string_view type, std::string_view attribute) {
     constexpr std::array<std::string_view, 6> of_any{
@@ -41,7 +50,7 @@ bool holds_light(std::string_view type, std::string_view attribute) {
     if (type.ends_with("Light") || type.ends_with("Light_1")) return true;
     return std::any_of(of_any.begin(), of_any.end(),
                        [&](std::string_view start) { return attribute.starts_with(start); }) ||
-           attribute == "xformOpOrder";
+           attribute == "xformOpOrder" || (type.empty() && is_old_name(attribute));
 }
 
 // Types of floating numbers change on a line, all others jump (OpenUSD, "Value Resolution").
@@ -193,6 +202,7 @@ private:
                     keep->numbers.push_back(token_.number);
                 } else if (token_.is("None")) {
                     keep->is_set = false;
+                    keep->is_blocked = true;
                 } else if (token_.is("true") || token_.is("false")) {
                     keep->numbers.push_back(token_.is("true") ? 1.0 : 0.0);
                 } else if (token_.kind == Kind::text || token_.kind == Kind::asset) {
@@ -221,10 +231,15 @@ private:
             if (Result<void> read = advance(); !read) return read;
             if (!token_.is('=')) continue; // "prepend", ";"
             if (Result<void> read = advance(); !read) return read;
+            if (name.is("subLayers")) {
+                if (Result<void> read = arcs(layer_.sublayers, UsdArcKind::sublayer, UsdListEdit::is_all); !read)
+                    return read;
+                continue;
+            }
             UsdValue said;
-            const bool keep = name.is("metersPerUnit") || name.is("upAxis") || name.is("doc");
+            const bool keep = name.is("metersPerUnit") || name.is("upAxis") || name.is("doc") || name.is("defaultPrim");
             if (Result<void> read = value(keep ? &said : nullptr); !read) return read;
-            if (name.is("subLayers")) layer_.unresolved.push_back(name.offset);
+            if (name.is("defaultPrim") && !said.texts.empty()) layer_.default_prim = said.texts[0];
             if (name.is("metersPerUnit")) {
                 if (said.numbers.size() != 1 || !(said.numbers[0] > 0.0) || !(said.numbers[0] < 1e30))
                     return wrong("SCN0105", name.offset, "metersPerUnit must be a number above 0");
@@ -239,22 +254,124 @@ private:
         return advance();
     }
 
-    Result<void> prim_metadata(UsdPrim& prim) {
+    // One asset or path, or a list of them, each with the offset and scale of its times.
+    Result<void> arcs(std::vector<UsdArc>& into, UsdArcKind kind, UsdListEdit edit) {
+        layer_.is_composed_of = true;
+        const bool is_list = token_.is('[');
+        UsdArc none;
+        none.kind = kind;
+        none.edit = edit;
+        none.is_none = true;
+        none.at = token_.offset;
+        if (token_.is("None") || is_list) {
+            if (Result<void> read = advance(); !read) return read;
+            if (edit == UsdListEdit::is_all) into.push_back(none);
+            if (!is_list) return {};
+        }
+        while (!token_.is(']')) {
+            UsdArc arc;
+            arc.kind = kind;
+            arc.edit = edit;
+            arc.at = token_.offset;
+            if (token_.kind != Kind::asset && token_.kind != Kind::path) return wrong("an asset or a path is expected");
+            if (token_.kind == Kind::asset) {
+                arc.asset = token_.text;
+                if (Result<void> read = advance(); !read) return read;
+            }
+            if (token_.kind == Kind::path) {
+                arc.path = token_.text;
+                if (Result<void> read = advance(); !read) return read;
+            }
+            if (token_.is('('))
+                if (Result<void> read = times(arc); !read) return read;
+            into.push_back(std::move(arc));
+            if (!is_list) return {};
+            if (token_.is(','))
+                if (Result<void> read = advance(); !read) return read;
+        }
+        return advance();
+    }
+
+    // ( offset = 10; scale = 0.5 ), and metadata of the arc, which is skipped.
+    Result<void> times(UsdArc& arc) {
         if (Result<void> read = advance(); !read) return read;
         while (!token_.is(')')) {
-            if (token_.kind == Kind::end) return wrong("the file ends within the metadata of a prim");
+            if (token_.kind == Kind::end) return wrong("the file ends within the offset of a layer");
             const Token name = token_;
             if (Result<void> read = advance(); !read) return read;
             if (!token_.is('=')) continue;
             if (Result<void> read = advance(); !read) return read;
             UsdValue said;
-            const bool keep = name.is("apiSchemas") || name.is("active");
+            const bool keep = name.is("offset") || name.is("scale");
             if (Result<void> read = value(keep ? &said : nullptr); !read) return read;
-            if (name.is("apiSchemas")) prim.schemas.insert(prim.schemas.end(), said.texts.begin(), said.texts.end());
-            if (name.is("active")) prim.is_active = said.numbers.empty() || said.numbers[0] != 0.0;
-            for (const std::string_view arc :
-                 {"references", "payload", "inherits", "specializes", "variants", "variantSets"})
-                if (name.is(arc)) layer_.unresolved.push_back(name.offset);
+            if (!keep) continue;
+            if (said.numbers.size() != 1 || !(std::abs(said.numbers[0]) <= 1e100))
+                return wrong("SCN0105", name.offset, "the offset or scale of a layer must be a number");
+            (name.is("offset") ? arc.offset : arc.scale) = said.numbers[0];
+        }
+        return advance();
+    }
+
+    // { string set = "variant" }
+    Result<void> selections(UsdComposition& of) {
+        if (!token_.is('{')) return value(nullptr);
+        if (Result<void> read = advance(); !read) return read;
+        std::string_view name;
+        while (!token_.is('}')) {
+            if (token_.kind == Kind::end) return wrong("the file ends within the variants of a prim");
+            if (token_.is('=')) {
+                if (Result<void> read = advance(); !read) return read;
+                if (token_.kind != Kind::text) return wrong("the name of a variant is expected");
+                of.selected.emplace_back(name, token_.text);
+            } else {
+                name = token_.text;
+            }
+            if (Result<void> read = advance(); !read) return read;
+        }
+        return advance();
+    }
+
+    Result<void> prim_metadata(UsdPrim& prim, UsdComposition& composition) {
+        if (Result<void> read = advance(); !read) return read;
+        UsdListEdit edit = UsdListEdit::is_all;
+        while (!token_.is(')')) {
+            if (token_.kind == Kind::end) return wrong("the file ends within the metadata of a prim");
+            const Token name = token_;
+            if (Result<void> read = advance(); !read) return read;
+            if (!token_.is('=')) {
+                edit = name.is("delete") || name.is("reorder")                     ? UsdListEdit::removes
+                       : name.is("prepend") || name.is("append") || name.is("add") ? UsdListEdit::adds
+                                                                                   : UsdListEdit::is_all;
+                if (name.is("reorder")) reorders_ = true;
+                continue;
+            }
+            if (Result<void> read = advance(); !read) return read;
+            const bool reorders = std::exchange(reorders_, false);
+            const UsdListEdit how = std::exchange(edit, UsdListEdit::is_all);
+            constexpr std::array kinds{
+                std::pair{std::string_view("references"), UsdArcKind::reference},
+                std::pair{std::string_view("payload"), UsdArcKind::payload},
+                std::pair{std::string_view("inherits"), UsdArcKind::inherit},
+                std::pair{std::string_view("specializes"), UsdArcKind::specialize},
+            };
+            const auto* const arc =
+                std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return name.is(one.first); });
+            if (arc != kinds.end() && !reorders) {
+                if (Result<void> read = arcs(composition.arcs, arc->second, how); !read) return read;
+                continue;
+            }
+            if (name.is("variants")) {
+                if (Result<void> read = selections(composition); !read) return read;
+                continue;
+            }
+            UsdValue said;
+            const bool keep = (name.is("apiSchemas") && !reorders) || name.is("active");
+            if (Result<void> read = value(keep ? &said : nullptr); !read) return read;
+            if (name.is("apiSchemas")) {
+                auto& into = how == UsdListEdit::removes ? composition.removed_schemas : prim.schemas;
+                into.insert(into.end(), said.texts.begin(), said.texts.end());
+            }
+            if (name.is("active")) prim.active = said.numbers.empty() || said.numbers[0] != 0.0;
         }
         return advance();
     }
@@ -273,10 +390,14 @@ private:
         if (open_.empty()) return wrong("a prim is expected");
         if (in_variants()) { // a variant by its name
             if (token_.kind != Kind::text) return wrong("a variant is expected");
-            if (Result<void> read = advance(); !read) return read;
-            if (token_.is('('))
-                if (Result<void> read = value(nullptr); !read) return read;
-            return open_block(variant);
+            UsdPrim made;
+            made.offset = token_.offset;
+            made.specifier = UsdSpecifier::over;
+            made.name = token_.text;
+            made.is_variant = true;
+            UsdComposition composition;
+            composition.variant_set = open_.back().variant_set;
+            return open_prim(std::move(made), std::move(composition));
         }
         if (token_.is("reorder")) {
             if (Result<void> read = advance(); !read) return read;
@@ -288,34 +409,39 @@ private:
     }
 
     static constexpr std::uint32_t no_parent = 0xffffffff;
-    static constexpr std::uint32_t variant = 0xfffffffe;
-    static constexpr std::uint32_t variant_set = 0xffffffff;
 
-    bool in_variants() const { return !open_.empty() && open_.back() == variant_set; }
-    bool in_variant() const {
-        return std::any_of(open_.begin(), open_.end(), [](std::uint32_t one) { return one >= variant; });
-    }
+    // A prim or a variant, or a set of variants of one.
+    struct Block {
+        std::uint32_t prim = no_parent;
+        std::string_view variant_set; // empty: the prim itself
+    };
 
-    Result<void> open_block(std::uint32_t what) {
+    bool in_variants() const { return !open_.empty() && !open_.back().variant_set.empty(); }
+
+    Result<void> open_block(Block block) {
         if (open_.size() >= limit("scene-depth").value)
             return wrong("SCN0108", token_.offset, fmt::format("nested deeper than {}", to_text(limit("scene-depth"))));
-        open_.push_back(what);
+        open_.push_back(block);
         return expect('{');
     }
 
     Result<void> variants() {
-        layer_.unresolved.push_back(token_.offset);
+        if (open_.empty()) return wrong("a prim is expected");
+        layer_.is_composed_of = true;
         if (Result<void> read = advance(); !read) return read; // the name
-        if (token_.kind != Kind::text) return wrong("the name of a variant set is expected");
+        if (token_.kind != Kind::text || token_.text.empty()) return wrong("the name of a variant set is expected");
+        const Block block{open_.back().prim, token_.text};
         if (Result<void> read = advance(); !read) return read;
         if (Result<void> read = expect('='); !read) return read;
-        return open_block(variant_set);
+        return open_block(block);
     }
 
     Result<void> prim() {
         UsdPrim made;
         made.offset = token_.offset;
-        made.is_class = !token_.is("def") || in_variant();
+        made.specifier = token_.is("def")    ? UsdSpecifier::def
+                         : token_.is("over") ? UsdSpecifier::over
+                                             : UsdSpecifier::is_class;
         if (Result<void> read = advance(); !read) return read;
         if (token_.kind == Kind::word) {
             made.type = token_.text;
@@ -323,15 +449,30 @@ private:
         }
         if (token_.kind != Kind::text) return wrong("the name of a prim is expected");
         made.name = token_.text;
+        return open_prim(std::move(made), {});
+    }
+
+    // Behind its name.
+    Result<void> open_prim(UsdPrim made, UsdComposition composition) {
         if (Result<void> read = advance(); !read) return read;
         if (token_.is('('))
-            if (Result<void> read = prim_metadata(made); !read) return read;
-        for (std::size_t i = open_.size(); i-- > 0 && made.parent == no_parent;)
-            if (open_[i] < variant) made.parent = open_[i];
+            if (Result<void> read = prim_metadata(made, composition); !read) return read;
+        if (!open_.empty()) made.parent = open_.back().prim;
         if (layer_.prims.size() >= limit("scene-nodes").value)
             return wrong("SCN0108", made.offset, fmt::format("more than {}", to_text(limit("scene-nodes"))));
+        const auto index = static_cast<std::uint32_t>(layer_.prims.size());
+        if (made.is_variant || !composition.arcs.empty() || !composition.selected.empty() ||
+            !composition.removed_schemas.empty())
+            layer_.compositions.emplace(index, std::move(composition));
         layer_.prims.push_back(std::move(made));
-        return open_block(static_cast<std::uint32_t>(layer_.prims.size() - 1));
+        return open_block({index, {}});
+    }
+
+    // Of a prim, or of the prim that a variant is of.
+    std::string_view type_of(std::uint32_t at) const {
+        while (layer_.prims[at].is_variant)
+            at = layer_.prims[at].parent;
+        return layer_.prims[at].type;
     }
 
     Result<void> attribute() {
@@ -355,9 +496,9 @@ private:
             suffix = name.substr(dot);
             name = name.substr(0, dot);
         }
-        UsdPrim* const prim = open_.back() < variant ? &layer_.prims[open_.back()] : nullptr;
+        UsdPrim* const prim = &layer_.prims[open_.back().prim];
         UsdAttribute* into = nullptr;
-        if (prim != nullptr && !is_relation && holds_light(prim->type, name)) {
+        if (!is_relation && holds_light(type_of(open_.back().prim), name)) {
             const auto known = std::find_if(prim->attributes.begin(), prim->attributes.end(),
                                             [&](const UsdAttribute& one) { return one.name == name; });
             if (known == prim->attributes.end()) {
@@ -415,7 +556,8 @@ private:
     std::size_t at_ = 0;
     Token token_;
     UsdLayer layer_;
-    std::vector<std::uint32_t> open_; // prims by their index, variant sets, variants
+    std::vector<Block> open_;
+    bool reorders_ = false; // the list that follows
 };
 
 } // namespace

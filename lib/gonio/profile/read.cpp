@@ -1,6 +1,9 @@
+#include <gonio/base/archive.hpp>
+#include <gonio/base/archive_xml.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
+#include <gonio/profile/gldf.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/scanner.hpp>
@@ -89,6 +92,27 @@ Result<ProfileFormat> recognise(std::string_view bytes, TextRange text, const st
                        "name the format if the file is one of them");
 }
 
+// One of the photometric files of a GLDF; the factors of TILT are read from the archive, too.
+Result<Profile> read_gldf_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
+    Result<GldfProfile> chosen = gldf_profile(bytes, source, options.choice);
+    if (!chosen) return pass_on(chosen);
+    if (is_archive(chosen->bytes))
+        return archive_error("GLD0101", {chosen->name, 0, 0}, "the photometric file is an archive itself");
+    Result<Archive> archive = Archive::open(bytes, source);
+    if (!archive) return pass_on(archive);
+    ReadOptions inside = options;
+    inside.read_beside = [&](const std::string& name) -> Result<std::string> {
+        const std::string below = chosen->name.substr(source.size() + 1);
+        const ArchiveEntry* const entry = archive->find(below.substr(0, below.rfind('/') + 1) + name);
+        if (entry == nullptr) return fail("FIL0101", "the archive has no such file", {}, name);
+        return archive->read(*entry);
+    };
+    Result<Profile> profile = read_profile(chosen->bytes, chosen->name, inside);
+    if (!profile) return profile;
+    profile->diagnostics.insert(profile->diagnostics.begin(), chosen->diagnostics.begin(), chosen->diagnostics.end());
+    return profile;
+}
+
 } // namespace
 
 const char* to_text(ProfileFormat format) {
@@ -102,6 +126,7 @@ bool begins_as_tm33(std::string_view bytes) {
 }
 
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
+    if (is_archive(bytes)) return read_gldf_profile(bytes, source, options);
     std::string converted; // the result of the conversion from UTF-16
     const profile_detail::Utf16 utf16 = profile_detail::utf16_of(bytes);
     if (utf16 != profile_detail::Utf16::no) {
@@ -147,8 +172,12 @@ Result<Profile> read_profile(std::string_view bytes, const std::string& source, 
     return profile;
 }
 
+const Limit& limit_of_profile(std::string_view path) {
+    return ends_with_any_case(path, ".gldf") ? limit("archive-bytes") : limit("profile-bytes");
+}
+
 Result<Profile> read_profile_file(const std::string& path, const ReadOptions& options) {
-    Result<std::string> bytes = read_file(path, limit("profile-bytes"));
+    Result<std::string> bytes = read_file(path, limit_of_profile(path));
     if (!bytes) return pass_on(bytes);
     if (options.read_beside) return read_profile(*bytes, path, options);
     ReadOptions with_folder = options;

@@ -163,21 +163,23 @@ TEST(InterchangeUsd, TransformationsOpsParentsAndResets) {
     EXPECT_LT(glm::distance(scene.lights[3].position, glm::dvec3(7.0, 8.0, 9.0)), 1e-14);
 }
 
-TEST(InterchangeUsd, WhatIsNotShownOrNotFollowedIsSaid) {
+TEST(InterchangeUsd, WhatIsNotShownOrMissingIsSaid) {
     const FoundScene scene = scene_of(usda(R"(class "c" { def SphereLight "a" {} }
 over "o" { def SphereLight "b" {} }
 def Xform "off" (active = false) { def SphereLight "c" {} }
 def Xform "hidden" { token visibility = "invisible" def SphereLight "d" {} }
 def "ref" ( prepend references = @lamp.usda@</lamp> (offset = 1) ) { }
 def "set" ( variants = { string v = "x" } prepend variantSets = "v" ) {
-    variantSet "v" = { "x" { def SphereLight "e" {} } "y" ( ) { } }
+    variantSet "v" = { "x" { def SphereLight "e" {} } "y" ( ) { def SphereLight "f" {} } }
     rel material:binding = </a/b> ( bindMaterialAs = "x" )
     rel many = [ </a>, </b> ]
 }
 def SphereLight "moving" { float inputs:intensity.timeSamples = { 2: 5, 1: 4, } custom dictionary d = { string s = "}" } })"));
     ASSERT_EQ(scene.lights.size(), 6U);
-    for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t i = 0; i < 4; ++i)
         EXPECT_TRUE(has_remark(scene.lights[i], "SCN0204")) << i;
+    EXPECT_EQ(scene.lights[4].place, "/set/e"); // of the variant that is selected
+    EXPECT_TRUE(scene.lights[4].is_converted());
     EXPECT_EQ(number_of(scene.lights[5]), 4.0);
     EXPECT_TRUE(has_remark(scene.lights[5], "SCN0201"));
     ASSERT_EQ(scene.diagnostics.size(), 1U);

@@ -94,6 +94,9 @@ void take_flat(FoundLight& light, const glm::dmat4& world, bool round, double ai
 bool is_engine_export(std::string_view bytes);
 Result<FoundScene> read_engine_export(std::string_view bytes, const std::string& source,
                                       const SceneReadOptions& options);
+bool is_gdtf(std::string_view bytes);
+Result<FoundScene> read_gdtf(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
+Result<FoundScene> read_gldf_lights(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 bool is_gltf(std::string_view bytes);
 Result<FoundScene> read_gltf(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 bool is_pbrt(std::string_view bytes);
@@ -101,7 +104,8 @@ Result<FoundScene> read_pbrt(std::string_view bytes, const std::string& source, 
 bool is_mitsuba(std::string_view bytes);
 Result<FoundScene> read_mitsuba(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 bool is_usda(std::string_view bytes);
-Result<FoundScene> read_usda(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
+bool is_usd(std::string_view bytes); // as text, or an archive
+Result<FoundScene> read_usd(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 bool is_luxcore(std::string_view bytes);
 Result<FoundScene> read_luxcore(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 

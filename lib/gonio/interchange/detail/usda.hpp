@@ -1,13 +1,19 @@
-// The text form of USD, parsed to what lights need: prims with their attributes. Composition is not done: references,
-// variants and sublayers are noted by their place.
+// USD: its text form, parsed to what lights need, and composition of layers to the prims of a stage.
 #pragma once
 
+#include <gonio/base/archive.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/base/text_places.hpp>
+#include <gonio/interchange/detail/reading.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gonio::interchange_detail {
@@ -17,7 +23,9 @@ struct UsdValue {
     std::vector<double> numbers;
     std::vector<std::string> texts; // strings, tokens, asset paths
     bool is_set = false;            // false: None, or only declared
+    bool is_blocked = false;        // None: weaker layers do not count
     std::size_t offset = 0;
+    std::uint32_t layer = 0; // of UsdStage
 };
 
 // A value at a time.
@@ -37,17 +45,47 @@ struct UsdAttribute {
     bool is_connected = false; // by .connect
 };
 
+enum class UsdSpecifier : std::uint8_t { def, over, is_class };
+
+// How a list of metadata changes those of weaker layers.
+enum class UsdListEdit : std::uint8_t { is_all, adds, removes };
+
+enum class UsdArcKind : std::uint8_t { inherit, reference, payload, specialize, sublayer };
+
+// What a prim or a layer takes opinions from.
+struct UsdArc {
+    UsdArcKind kind = UsdArcKind::reference;
+    UsdListEdit edit = UsdListEdit::is_all;
+    std::string asset;   // empty: the same layers
+    std::string path;    // empty: the default prim
+    double offset = 0.0; // of times, behind the scale
+    double scale = 1.0;
+    bool is_none = false; // an empty list
+    std::size_t at = 0;   // in the text
+};
+
+// A prim as one layer has it, a variant of one, or a composed prim.
 struct UsdPrim {
     std::string type; // "SphereLight"; empty
     std::string name;
     std::uint32_t parent = 0xffffffff; // index of an earlier prim
     std::size_t offset = 0;            // of the specifier
-    bool is_class = false;             // or an over: not shown by itself
-    bool is_active = true;
+    std::uint32_t layer = 0;           // of UsdStage
+    UsdSpecifier specifier = UsdSpecifier::def;
+    std::optional<bool> active;
+    bool is_variant = false;          // of its parent; the name is the variant's
     std::vector<std::string> schemas; // apiSchemas
     std::vector<UsdAttribute> attributes;
 
     const UsdAttribute* find(std::string_view wanted) const;
+};
+
+// What a layer says about the composition of a prim.
+struct UsdComposition {
+    std::vector<UsdArc> arcs;
+    std::vector<std::pair<std::string, std::string>> selected; // variants by the names of their sets
+    std::vector<std::string> removed_schemas;                  // from those of weaker layers
+    std::string variant_set;                                   // of a variant
 };
 
 struct UsdLayer {
@@ -56,12 +94,41 @@ struct UsdLayer {
     char up = 'y';
     bool states_up = false;
     std::string doc;
-    std::vector<UsdPrim> prims;          // parents first; only prims that may hold lights keep attributes
-    std::vector<std::size_t> unresolved; // places of references, payloads, variants, inherits, sublayers
+    std::string default_prim;
+    std::vector<UsdArc> sublayers; // the strongest first
+    std::vector<UsdPrim> prims;    // parents first; only prims that may hold lights keep attributes
+    std::map<std::uint32_t, UsdComposition> compositions; // of the prims that have one
+    bool is_composed_of = false;                          // it has arcs or variants
 };
 
 // Fails (malformed) with the place on text that breaks the grammar, on numbers that are not finite where they are
 // kept, and beyond the limits scene-depth and scene-nodes.
 Result<UsdLayer> parse_usda(std::string_view text, const std::string& source);
+
+// A layer of a stage: where its text is, and where the files are that it names.
+struct UsdSource {
+    std::string name; // relative to the scene's folder, or in the archive
+    int archive = -1; // of UsdStage; −1: a file
+    TextPlaces places;
+};
+
+// Prims of a scene with all that they are composed of.
+struct UsdStage {
+    UsdLayer layer; // the root layer's metadata, and the composed prims
+    std::deque<UsdSource> sources;
+    std::deque<std::string> texts; // of layers, and bytes of archives
+    std::deque<Archive> archives;
+    Diagnostics diagnostics;
+
+    Location place(std::uint32_t source, std::size_t offset) { return sources[source].places.at(offset); }
+};
+
+// The file that a layer names, relative to the scene's folder or in the archive: without "." and inner "..".
+std::string usd_file_name(const UsdSource& from, std::string_view asset);
+
+// Reads a scene of USD, as text or in a USDZ archive, with the layers that it names, by options.read_beside. Opinions
+// are ordered as in USD: local, inherits, variants, references, payloads, specializes. Layers that are missing or
+// binary are warnings; fails (malformed) as parse_usda() does, on cycles, and beyond the limits.
+Result<UsdStage> compose_usd(std::string_view bytes, const std::string& source, const SceneReadOptions& options);
 
 } // namespace gonio::interchange_detail

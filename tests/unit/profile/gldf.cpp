@@ -1,0 +1,171 @@
+// GLDF: what is read, chosen, written, and refused.
+#include <gonio/profile/gldf.hpp>
+#include <gonio/web/integrate.hpp>
+#include <gonio/web/resolve.hpp>
+
+#include "../archives.hpp"
+#include "../luminaires.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+namespace gonio {
+
+namespace {
+
+using std::numbers::pi;
+using test::code_of;
+using test::gldf_of;
+using test::product;
+using test::replaced;
+
+// The code of the only remark; "none" or "several".
+std::string remark_of(const std::string& xml) {
+    const Result<Gldf> gldf = read_gldf(gldf_of(xml), "a.gldf");
+    if (!gldf) return gldf.error().diagnostics.back().code;
+    if (gldf->diagnostics.empty()) return "none";
+    return gldf->diagnostics.size() == 1 ? gldf->diagnostics[0].code : "several";
+}
+
+double flux_of(const Result<Profile>& profile) {
+    EXPECT_TRUE(profile.has_value()) << (profile ? "" : profile.error().diagnostics.back().message);
+    return profile ? flux(resolve_web(*profile)->web).value : 0.0;
+}
+
+TEST(Gldf, ReadsWhatALuminaireIs) {
+    const std::string bytes = gldf_of(product());
+    EXPECT_TRUE(is_gldf(bytes));
+    const Result<Gldf> gldf = read_gldf(bytes, "a.gldf", true);
+    ASSERT_TRUE(gldf.has_value()) << gldf.error().diagnostics.back().message;
+    EXPECT_TRUE(gldf->diagnostics.empty());
+    EXPECT_EQ(gldf->version, "1.0-rc.3");
+    EXPECT_EQ(gldf->manufacturer, "Works");
+    EXPECT_EQ(gldf->name, "Lamp");
+    EXPECT_EQ(gldf->number, "W1");
+    EXPECT_EQ(gldf->files[0].entry, "ldc/a.ies");
+    ASSERT_EQ(gldf->emitters.size(), 3U);
+    const GldfLight& down = gldf->emitters[0].lights[0];
+    EXPECT_EQ(down.name, "below");
+    EXPECT_EQ(down.flux_lm, 500.0);
+    EXPECT_EQ(down.cct_k, 3000.0);
+    EXPECT_EQ(down.cri, 90.0);
+    EXPECT_EQ(down.input_w, 5.0);
+    EXPECT_EQ(gldf->spectra[*down.spectrum].intensities, (std::vector<double>{0.5, 1.0}));
+    const GldfEmitter& up = gldf->emitters[1];
+    ASSERT_EQ(up.lights.size(), 2U);
+    EXPECT_EQ(up.lights[0].flux_lm, 800.0); // of two lamps
+    EXPECT_EQ(up.lights[0].input_w, 40.0);
+    EXPECT_EQ(up.lights[0].rotation_deg.x, 180.0);
+    EXPECT_EQ(up.lights[1].emergency, "EmergencyOnly");
+    EXPECT_FALSE(gldf->photometries[2].file);
+    EXPECT_EQ(gldf->variants[1].emitters, (std::vector<std::size_t>{1}));
+}
+
+TEST(Gldf, ReadersOfProfilesTakeAPhotometryOfIt) {
+    const std::string bytes = gldf_of(product());
+    const Result<Profile> first = read_profile(bytes, "a.gldf");
+    EXPECT_NEAR(flux_of(first), 200.0 * pi, 1e-9);
+    EXPECT_EQ(first->source, "a.gldf/ldc/a.ies");
+    ASSERT_FALSE(first->diagnostics.empty());
+    EXPECT_EQ(first->diagnostics[0].code, "GLD0209"); // one of several
+    ReadOptions options;
+    options.choice.variant = "v2";
+    const Result<Profile> second = read_profile(bytes, "a.gldf", options);
+    EXPECT_NEAR(flux_of(second), 100.0 * pi, 1e-9);
+    for (const Diagnostic& said : second->diagnostics)
+        EXPECT_NE(said.code, "GLD0209");
+    options.choice = {"one", ""}; // by its name
+    EXPECT_NEAR(flux_of(read_profile(bytes, "a.gldf", options)), 200.0 * pi, 1e-9);
+    options.choice = {"", "up"};
+    EXPECT_NEAR(flux_of(read_profile(bytes, "a.gldf", options)), 100.0 * pi, 1e-9);
+    options.choice = {"v1", "up"};
+    EXPECT_EQ(code_of(read_profile(bytes, "a.gldf", options)), "USE0103");
+    options.choice = {"v3", ""};
+    EXPECT_EQ(code_of(read_profile(bytes, "a.gldf", options)), "USE0103");
+    options.choice = {"", "told"};
+    EXPECT_EQ(code_of(read_profile(bytes, "a.gldf", options)), "GLD0101");
+    EXPECT_EQ(code_of(read_profile(gldf_of(product(), "neither of them"), "a.gldf")), "IES0108");
+    EXPECT_EQ(code_of(read_profile(gldf_of(product(), bytes), "a.gldf")), "GLD0101"); // an archive in it
+}
+
+TEST(Gldf, DeparturesFromTheSchemaAreRemarks) {
+    EXPECT_EQ(remark_of(product()), "none");
+    EXPECT_EQ(remark_of(replaced(product(), "<Manufacturer>Works</Manufacturer>", "")), "GLD0201");
+    EXPECT_EQ(remark_of(replaced(product(), "<PhotometryReference photometryId=\"p1\"/>", "")), "GLD0201");
+    EXPECT_EQ(remark_of(replaced(product(), "photometryId=\"p1\"", "photometryId=\"p9\"")), "GLD0202");
+    EXPECT_EQ(remark_of(replaced(product(), "emitterId=\"down\"", "emitterId=\"downs\"")), "GLD0202");
+    EXPECT_EQ(remark_of(replaced(product(), "Variant id=\"v2\"", "Variant id=\"v1\"")), "GLD0203");
+    EXPECT_EQ(remark_of(replaced(product(), "<RatedLuminousFlux>500", "<RatedLuminousFlux>-500")), "GLD0204");
+    EXPECT_EQ(remark_of(replaced(product(), "contentType=\"ldc/ies\" type=\"localFileName\">a.ies",
+                                 "contentType=\"ldc/ies\" type=\"url\">https://a.invalid/a.ies")),
+              "several"); // the note, and a file that is not named
+    EXPECT_EQ(remark_of(replaced(product(), "major=\"1\"", "major=\"2\"")), "GLD0210");
+    const Result<Gldf> missing = read_gldf(gldf_of(replaced(product(), ">a.ies<", ">../../etc/passwd<")), "a.gldf");
+    ASSERT_TRUE(missing.has_value());
+    EXPECT_EQ(missing->diagnostics[0].code, "GLD0205");
+    EXPECT_GT(missing->diagnostics[0].location.line, 1U);
+    EXPECT_EQ(missing->diagnostics[0].location.file, "a.gldf/product.xml");
+    const std::string broken = replaced(product(), "photometryId=\"p1\"", "photometryId=\"p9\"");
+    EXPECT_EQ(code_of(read_gldf(gldf_of(broken), "a.gldf", true)), "GLD0202");
+    // A million faults are a few sentences.
+    std::string many;
+    for (int i = 0; i < 1000; ++i)
+        many += "<Photometry id=\"x\"/>";
+    const Result<Gldf> gldf = read_gldf(gldf_of(replaced(product(), "</Photometries>", many + "</Photometries>")), "a");
+    ASSERT_TRUE(gldf.has_value());
+    EXPECT_LT(gldf->diagnostics.size(), 20U);
+}
+
+TEST(Gldf, HostileDocumentsAreRefused) {
+    const std::string bomb =
+        "<?xml version=\"1.0\"?>\n<!DOCTYPE Root [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;&a;\">]>\n";
+    EXPECT_EQ(code_of(read_gldf(gldf_of(bomb + "<Root>&b;</Root>"), "a.gldf")), "ARC0202");
+    EXPECT_EQ(code_of(read_gldf(gldf_of(bomb + "<Root>&b;"), "a.gldf")), "ARC0202");
+    EXPECT_EQ(code_of(read_gldf(gldf_of("<Root>"), "a.gldf")), "ARC0201");
+    EXPECT_EQ(code_of(read_gldf(gldf_of("<Roots/>"), "a.gldf")), "ARC0201");
+    EXPECT_EQ(code_of(read_gldf(gldf_of(""), "a.gldf")), "ARC0201");
+    std::string deep;
+    for (int i = 0; i < 100; ++i)
+        deep += "<a>";
+    for (int i = 0; i < 100; ++i)
+        deep += "</a>";
+    EXPECT_EQ(code_of(read_gldf(gldf_of("<Root>" + deep + "</Root>"), "a.gldf")), "ARC0203");
+    EXPECT_EQ(code_of(read_gldf(write_archive({}), "a.gldf")), "ARC0107");
+    EXPECT_EQ(code_of(read_profile(write_archive({}), "a.gldf")), "ARC0107");
+    const Result<Gldf> other = read_gldf(gldf_of("<Root>\n\n<a b=c/></Root>"), "a.gldf");
+    ASSERT_FALSE(other.has_value());
+    EXPECT_EQ(other.error().diagnostics.back().location.line, 3U);
+    for (std::size_t cut = 0; cut < gldf_of(product()).size(); cut += 7)
+        EXPECT_FALSE(read_gldf(gldf_of(product()).substr(0, cut), "a.gldf").has_value());
+}
+
+TEST(Gldf, WhatIsWrittenReadsBack) {
+    GldfProduct made;
+    made.manufacturer = "Müller & <Söhne>";
+    made.file = "../lamp one.ies";
+    made.flux_lm = 628.3;
+    made.cct_k = 2700.0;
+    made.cri = 80.0;
+    made.input_w = 7.5;
+    const std::string bytes = write_gldf(test::half_sphere(), made);
+    EXPECT_EQ(bytes, write_gldf(test::half_sphere(), made));
+    const Result<Gldf> gldf = read_gldf(bytes, "a.gldf", true);
+    ASSERT_TRUE(gldf.has_value()) << gldf.error().diagnostics.back().message;
+    EXPECT_TRUE(gldf->diagnostics.empty());
+    EXPECT_EQ(gldf->manufacturer, made.manufacturer);
+    EXPECT_EQ(gldf->name, "-");
+    EXPECT_EQ(gldf->files[0].entry, "ldc/lamp_one.ies");
+    const GldfLight& light = gldf->emitters[0].lights[0];
+    EXPECT_EQ(light.flux_lm, 628.0);
+    EXPECT_EQ(light.cct_k, 2700.0);
+    EXPECT_EQ(light.cri, 80.0);
+    EXPECT_EQ(light.input_w, 7.5);
+    EXPECT_EQ(*gldf_file(bytes, "a.gldf", gldf->files[0]), test::half_sphere());
+    EXPECT_NEAR(flux_of(read_profile(bytes, "a.gldf")), 200.0 * pi, 1e-9);
+}
+
+} // namespace
+
+} // namespace gonio
