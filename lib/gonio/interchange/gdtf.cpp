@@ -88,6 +88,7 @@ private:
                     if (attribute != "Zoom" || !from || !to) continue;
                     const std::optional<double> a = parse_number(from.value());
                     const std::optional<double> b = parse_number(to.value());
+                    if (a == 0.0 && b == 1.0) continue; // what GDTF has where nothing is stated
                     if (!a || !b || !(std::min(*a, *b) > 0.0) || !(std::max(*a, *b) < 180.0)) {
                         warn(scene_, "SCN0202", xml_.place(function),
                              fmt::format("a zoom from '{}' to '{}' is left out: angles are between 0° and 180°",

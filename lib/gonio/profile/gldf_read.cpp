@@ -157,7 +157,7 @@ private:
         if (!header) return;
         gldf_.manufacturer = text_in(required(header, "Manufacturer"));
         gldf_.generator = text_in(required(header, "CreatedWithApplication"));
-        required(header, "GldfCreationTimeCode");
+        if (!header.child("CreationTimeCode")) required(header, "GldfCreationTimeCode"); // the first release candidate
         const pugi::xml_node version = required(header, "FormatVersion");
         if (!version) return;
         // Release candidates wrote it as text first.
@@ -238,7 +238,9 @@ private:
         for (const pugi::xml_node node : all.children("Spectrum")) {
             GldfSpectrum spectrum;
             spectrum.id = new_id(node, spectrum_ids_, gldf_.spectra.size());
-            if (const pugi::xml_node reference = node.child("SpectrumFileReference")) {
+            // A file beside intensities is where they come from.
+            if (const pugi::xml_node reference = node.child("SpectrumFileReference");
+                reference && !node.child("Intensity")) {
                 spectrum.file = file_of(reference);
             } else {
                 for (const pugi::xml_node one : node.children("Intensity")) {
@@ -380,11 +382,14 @@ private:
             variant.location = xml_.place(node);
             variant.name = located(node.child("Name"));
             variant.number = located(node.child("ProductNumber"));
+            bool names_any = false;
             const pugi::xml_node geometry = node.child("Geometry");
             for (pugi::xml_node at = geometry.first_child(); at;) {
-                if (const pugi::xml_attribute id = at.attribute("emitterId"); id && *id.value() != '\0')
+                if (const pugi::xml_attribute id = at.attribute("emitterId"); id && *id.value() != '\0') {
+                    names_any = true;
                     if (const auto emitter = referred(at, "emitterId", emitter_ids_, "emitter"))
                         variant.emitters.push_back(*emitter);
+                }
                 pugi::xml_node next = at.first_child();
                 while (!next && at != geometry) {
                     next = at.next_sibling();
@@ -392,6 +397,13 @@ private:
                 }
                 if (at == geometry && !next) break;
                 at = next;
+            }
+            // Files of others often leave the emitters to the geometry.
+            if (!names_any && !gldf_.emitters.empty()) {
+                say("GLD0201", node,
+                    fmt::format("'Variant' names no emitter: all {} are taken", gldf_.emitters.size()));
+                for (std::size_t i = 0; i < gldf_.emitters.size(); ++i)
+                    variant.emitters.push_back(i);
             }
             gldf_.variants.push_back(std::move(variant));
         }

@@ -113,6 +113,7 @@ std::string write_gldf(std::string_view profile, const GldfProduct& product) {
   </GeneralDefinitions>
   <ProductDefinitions>
     <ProductMetaData>
+      <UniqueProductId>{}</UniqueProductId>
       <ProductNumber>{}</ProductNumber>
       <Name>{}</Name>
     </ProductMetaData>
@@ -129,7 +130,8 @@ std::string write_gldf(std::string_view profile, const GldfProduct& product) {
 )",
         text_or_dash(product.manufacturer), GONIO_VERSION_STRING, GONIO_VERSION_DATE,
         identifier_of(profile, product.manufacturer + "\n" + product.name + "\n" + product.number + "\n" + file),
-        content_type_of(file), file, source, reference, std::round(product.flux_lm), located(product.number),
+        content_type_of(file), file, source, reference, std::round(product.flux_lm),
+        identifier_of({}, product.manufacturer + "\n" + product.name + "\n" + product.number), located(product.number),
         located(product.name), located(product.name));
     const std::array<ArchiveFile, 2> files{{{"product.xml", xml}, {"ldc/" + file, std::string(profile)}}};
     return write_archive(files);

@@ -96,6 +96,14 @@ TEST(Gldf, DeparturesFromTheSchemaAreRemarks) {
     EXPECT_EQ(remark_of(replaced(product(), "<PhotometryReference photometryId=\"p1\"/>", "")), "GLD0201");
     EXPECT_EQ(remark_of(replaced(product(), "photometryId=\"p1\"", "photometryId=\"p9\"")), "GLD0202");
     EXPECT_EQ(remark_of(replaced(product(), "emitterId=\"down\"", "emitterId=\"downs\"")), "GLD0202");
+    EXPECT_EQ(remark_of(replaced(product(), "<EmitterReference emitterId=\"down\"/>", "<ModelGeometryReference/>")),
+              "GLD0201");
+    EXPECT_EQ(remark_of(replaced(replaced(product(), "<GldfCreationTimeCode>", "<CreationTimeCode>"),
+                                 "</GldfCreationTimeCode>", "</CreationTimeCode>")),
+              "none"); // as the first release candidate has it
+    EXPECT_EQ(remark_of(replaced(product(), "<Spectrum id=\"s\">",
+                                 "<Spectrum id=\"s\"><SpectrumFileReference fileId=\"f1\"/>")),
+              "none"); // where its intensities come from
     EXPECT_EQ(remark_of(replaced(product(), "Variant id=\"v2\"", "Variant id=\"v1\"")), "GLD0203");
     EXPECT_EQ(remark_of(replaced(product(), "<RatedLuminousFlux>500", "<RatedLuminousFlux>-500")), "GLD0204");
     EXPECT_EQ(remark_of(replaced(product(), "contentType=\"ldc/ies\" type=\"localFileName\">a.ies",
@@ -116,6 +124,14 @@ TEST(Gldf, DeparturesFromTheSchemaAreRemarks) {
     const Result<Gldf> gldf = read_gldf(gldf_of(replaced(product(), "</Photometries>", many + "</Photometries>")), "a");
     ASSERT_TRUE(gldf.has_value());
     EXPECT_LT(gldf->diagnostics.size(), 20U);
+}
+
+TEST(Gldf, AVariantWithoutEmittersHasThemAll) {
+    const Result<Gldf> gldf =
+        read_gldf(gldf_of(replaced(product(), "<EmitterReference emitterId=\"down\"/>", "")), "a.gldf");
+    ASSERT_TRUE(gldf.has_value());
+    EXPECT_EQ(gldf->variants.at(0).emitters.size(), gldf->emitters.size());
+    EXPECT_EQ(gldf->variants.at(1).emitters.size(), 1U);
 }
 
 TEST(Gldf, HostileDocumentsAreRefused) {
