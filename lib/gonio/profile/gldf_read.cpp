@@ -53,7 +53,7 @@ public:
         const pugi::xml_node general = required(root, "GeneralDefinitions");
         const pugi::xml_node product = required(root, "ProductDefinitions");
         read_header(header);
-        read_files(required(general, "Files"));
+        read_files(general.child("Files"));
         read_photometries(general.child("Photometries"));
         read_spectra(general.child("Spectrums"));
         read_sources(general.child("LightSources"));
@@ -400,8 +400,7 @@ private:
             }
             // Files of others often leave the emitters to the geometry.
             if (!names_any && !gldf_.emitters.empty()) {
-                say("GLD0201", node,
-                    fmt::format("'Variant' names no emitter: all {} are taken", gldf_.emitters.size()));
+                say("GLD0201", node, "'Variant' names no emitter: those of the whole file are taken");
                 for (std::size_t i = 0; i < gldf_.emitters.size(); ++i)
                     variant.emitters.push_back(i);
             }
