@@ -18,7 +18,7 @@
 namespace gonio::cli {
 
 inline constexpr std::array profile_input_options{
-    Option{"--from", "FORMAT", "read as ies, ldt or tm33 instead of recognising the format", "formats"},
+    Option{"--from", "FORMAT", "read as ies, ldt, tm33 or gldf instead of recognising the format", "formats"},
     Option{"--lamp-set", "N", "EULUMDAT: use this one of the alternative lamp sets (1)"},
     Option{"--tilt", "DEG", "IES with TILT factors: mounting tilt of the lamp, for example 30deg (0deg)"},
     Option{"--azimuth", "TRADITION",

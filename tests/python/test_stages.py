@@ -189,7 +189,7 @@ def test_exports_are_those_of_the_tool(tool, profiles, tmp_path, target):
 
 def test_exports_of_lights(modules, tmp_path):
     lights = [
-        gonio.Light("disk:r=10cm", "800lm", position=(0, 0, 2), name="disk"),
+        gonio.Light("sphere:r=10cm", "800lm", position=(0, 0, 2), name="ball"),
         gonio.Light("spot:outer=20deg", "500cd", position=(1, 0, 2), name="spot"),
     ]
     made = gonio.export_lights(lights, "gltf", name="pair")

@@ -249,6 +249,24 @@ public:
     SceneContent& content() { return content_; }
     std::vector<std::string>& instead() { return instead_; }
 
+    // The brightest; of several of the same illuminance the first.
+    void keep_one_sun() {
+        std::vector<SceneLight>& lights = content_.lights;
+        const auto is_sun = [](const SceneLight& light) { return light.kind == LightKind::sun; };
+        const auto brightest = std::max_element(lights.begin(), lights.end(), [&](const auto& a, const auto& b) {
+            return (is_sun(a) ? a.lux : -1.0) < (is_sun(b) ? b.lux : -1.0);
+        });
+        if (brightest == lights.end() || !is_sun(*brightest)) return;
+        const std::string kept = brightest->name;
+        std::erase_if(lights, [&](const SceneLight& light) {
+            if (!is_sun(light) || light.name == kept) return false;
+            instead_.push_back(
+                fmt::format("light '{}' is left out: a scene of {} has one sun, and '{}' is the brightest", light.name,
+                            target_.name, kept));
+            return true;
+        });
+    }
+
 private:
     static bool emits(const Light& light) {
         const auto* spot = std::get_if<SpotShape>(&light.shape);
@@ -555,6 +573,7 @@ Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& targe
                         fmt::format("coordinates of a scene reach to {} m", greatest_amount));
     for (const Light& light : lights)
         if (Result<void> added = builder.add(light); !added) return pass_on(added);
+    if (target.holds.one_sun) builder.keep_one_sun();
     if (options.sky != nullptr) builder.add(*options.sky);
     if (builder.content().lights.empty() && !builder.content().sky)
         return fail(Failure::unsupported,

@@ -60,8 +60,20 @@ constexpr TargetHolds gltf_holds{
 constexpr TargetHolds babylon_holds{
     point_rect_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false, false, latlong_hdr, {}, false, true,
     false};
-constexpr TargetHolds filament_holds{point_sun, Falloff::frostbite, true, true,  90.0, TargetLength::any, false,
-                                     false,     no_filament_sky,    {},   false, false};
+constexpr TargetHolds filament_holds{point_sun,
+                                     Falloff::frostbite,
+                                     true,
+                                     true,
+                                     90.0,
+                                     TargetLength::any,
+                                     false,
+                                     false,
+                                     no_filament_sky,
+                                     {},
+                                     false,
+                                     false,
+                                     true,
+                                     true};
 constexpr TargetHolds playcanvas_holds{point_sun, Falloff::smoothstep_cos, true, true, 89.0, TargetLength::any, false,
                                        false,     no_playcanvas_sky};
 constexpr TargetHolds threejs_holds{

@@ -104,6 +104,7 @@ struct TargetHolds {
     bool near_profiles = false; // its area lights take a profile and divide it by a projected area
     bool profiles = true;       // false: a spot or a point of the same flux stands for a profile
     bool azimuths = true;       // false: it averages a profile over them
+    bool one_sun = false;       // a scene has one
 };
 
 // A program that files are written for, as `gonio list targets` shows it.

@@ -89,7 +89,9 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
     for (const Node& node : nodes_) {
         const std::size_t chart =
             patches_.charts().index_of(node.surface, face_at(stage_.surfaces[node.surface].geometry, node.position));
-        places.push_back({node.position, node.normal, own(node.surface), !node.gathers(), patches_.ray_factor(chart)});
+        const std::size_t rays = patches_.ray_factor(chart);
+        places.push_back(
+            {node.position, node.normal, own(node.surface), !node.gathers(), rays, rays == Patches::rays_of_slight});
     }
     if (quality.node_rays > 0) from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
     if (quality.cell_rays == 0) return;

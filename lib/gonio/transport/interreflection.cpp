@@ -337,7 +337,8 @@ glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float f
 }
 
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
-    const detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
+    detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
+    place.is_fine = true;
     const detail::Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1,
                                  instruction_set_);
     glm::dvec3 lx = bundle.gathered(0, sent_) + bundle.gathered(0, *slopes_);

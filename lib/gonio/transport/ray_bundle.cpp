@@ -18,8 +18,8 @@ constexpr double least_of_cell = 8.0;
 constexpr double least_of_round_cell = 24.0; // it is bright on one side, which is not the side that all see
 constexpr double least_of_patch = 5.0;
 constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
-// The same for places on what is slight: a ray for each part says whether it is seen past a pole.
-constexpr double least_of_part_for_slight = 16.0;
+// The same for fine places: a ray for each part says whether it is seen past a pole.
+constexpr double least_of_part_for_fine = 16.0;
 constexpr int deepest_part = 8;
 constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
 constexpr double most_parts = 32.0;    // of a patch along a thin solid
@@ -259,8 +259,7 @@ private:
         const double length_v = glm::length(along_v);
         // A covered part is taken to lie all over the patch.
         const double free = patches_.area_m2(patch) / (length_u * length_v);
-        const double least_of_parts =
-            place.ray_factor == Patches::rays_of_slight ? least_of_part_for_slight : least_of_part;
+        const double least_of_parts = place.is_fine ? least_of_part_for_fine : least_of_part;
         parts_.assign(1, {glm::dvec2(0.5), glm::dvec2(0.5), 0});
         while (!parts_.empty()) {
             Part part = parts_.back();

@@ -94,6 +94,7 @@ struct Receivers {
         std::size_t own = RayEnd::nothing; // as RayCaster::cast()
         bool left_out = false;
         std::size_t ray_factor = 1; // times the rays of others
+        bool is_fine = false;       // asks by many rays which parts of bright patches are seen
     };
     std::vector<Place> places;
 };

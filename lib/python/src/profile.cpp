@@ -182,8 +182,8 @@ void add_profiles(py::module_& module) {
             return value_of(read_profile_file(file, options));
         },
         py::arg("path"), py::kw_only(), py::arg("format") = py::none(), py::arg("strict") = false,
-        "Reads a photometric file. The format ('ies', 'ldt', 'tm33') is recognised if it is not given; `strict` turns\n"
-        "departures from the standard into errors.");
+        "Reads a photometric file, or the first photometry of a GLDF. The format ('ies', 'ldt', 'tm33', 'gldf') is\n"
+        "recognised if it is not given; `strict` turns departures from the standard into errors.");
     module.def(
         "parse",
         [](const py::bytes& data, const std::string& source, const std::optional<std::string>& format, bool strict) {

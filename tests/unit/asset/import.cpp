@@ -525,13 +525,12 @@ TEST(LightScene, OfFilamentIsInLumens) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("[\"sun\", light(Filament, 'SUN', [1, 1, 1], 500, "), std::string::npos) << text;
-    for (const Light& light : lights) {
-        if (light.name != "default") continue;
-        EXPECT_NE(
-            text.find(fmt::format("[\"default\", light(Filament, 'SPOT', [1, 1, 1], {}", pi * light.intensity.value)),
-            std::string::npos)
-            << text;
-    }
+    const auto named = std::find_if(lights.begin(), lights.end(), [](const Light& of) { return of.name == "default"; });
+    ASSERT_NE(named, lights.end());
+    EXPECT_NE(
+        text.find(fmt::format("[\"default\", light(Filament, 'SPOT', [1, 1, 1], {}", pi * named->intensity.value)),
+        std::string::npos)
+        << text;
     const auto alone = light_scene(**find_target("filament"), delivered("street.ies"));
     ASSERT_EQ(alone->instead.size(), 1U);
     EXPECT_NE(alone->instead[0].find("does not have profiles"), std::string::npos);
@@ -550,16 +549,29 @@ TEST(LightScene, OfPlayCanvasIsOverPi) {
 // Godot counts 2π lumens for a candela of an area light.
 TEST(LightScene, OfGodotHasAreas) {
     const std::vector<Light> lights = studio();
-    for (const Light& light : lights) {
-        if (light.name != "panel") continue;
-        const LightScene scene = *light_scene(**find_target("godot"), {&light, 1}, {"studio", "", Meters(1.0)});
-        const std::string text = scene.files[0].bytes;
-        EXPECT_NE(text.find(fmt::format("type=\"AreaLight3D\"")), std::string::npos) << text;
-        EXPECT_NE(text.find(fmt::format("light_intensity_lumens = {}\narea_size = Vector2(0.6, 0.3)",
-                                        2.0 * pi * light.intensity.value)),
-                  std::string::npos)
-            << text;
-    }
+    const auto panel = std::find_if(lights.begin(), lights.end(), [](const Light& of) { return of.name == "panel"; });
+    ASSERT_NE(panel, lights.end());
+    const LightScene scene = *light_scene(**find_target("godot"), {&*panel, 1}, {"studio", "", Meters(1.0)});
+    const std::string text = scene.files[0].bytes;
+    EXPECT_NE(text.find("type=\"AreaLight3D\""), std::string::npos) << text;
+    EXPECT_NE(text.find(fmt::format("light_intensity_lumens = {}\narea_size = Vector2(0.6, 0.3)",
+                                    2.0 * pi * panel->intensity.value)),
+              std::string::npos)
+        << text;
+}
+
+TEST(LightScene, OfFilamentHasOneSun) {
+    std::vector<Light> lights = studio();
+    std::erase_if(lights, [](const Light& of) { return of.name != "sun"; });
+    ASSERT_EQ(lights.size(), 1U);
+    lights.push_back(lights.front());
+    lights.back().name = "brighter";
+    lights.back().intensity.value *= 2.0;
+    const LightScene scene = *light_scene(**find_target("filament"), lights, {"studio", "", Meters(1.0)});
+    EXPECT_EQ(scene.files[0].bytes.find("[\"sun\","), std::string::npos);
+    EXPECT_NE(scene.files[0].bytes.find("[\"brighter\","), std::string::npos);
+    ASSERT_EQ(scene.instead.size(), 1U);
+    EXPECT_NE(scene.instead[0].find("has one sun"), std::string::npos);
 }
 
 // The shapes, sizes and amounts of pbrt's lights, each checked separately.

@@ -9,35 +9,31 @@ namespace gonio {
 
 inline constexpr auto archive_codes = std::to_array<DiagnosticCode>({
     {"ARC0101", Severity::error, Strict::same, "broken archive",
-     "The file is no zip archive or ends too early, its directory and its entries contradict each other, or an entry "
-     "does not unpack to the bytes that its checksum states."},
+     "The file is not a zip archive or ends too early, its directory and its entries contradict each other, or an "
+     "entry does not unpack to the bytes that its checksum states."},
     {"ARC0102", Severity::error, Strict::same, "archive beyond a limit",
      "The archive has more entries than gonio allows, or entries that unpack to more bytes, in all or against the "
-     "bytes "
-     "that they take in the archive. 'gonio list limits' shows the limits."},
+     "bytes that they take in the archive. 'gonio list limits' shows the limits."},
     {"ARC0103", Severity::error, Strict::same, "name that leads out of an archive",
      "An entry has an absolute name, a drive, a '..' or characters that no file name has. Such an archive could write "
-     "or "
-     "read files outside its folder, so gonio reads nothing of it."},
+     "or read files outside its folder, so gonio reads nothing of it."},
     {"ARC0104", Severity::error, Strict::same, "name given twice in an archive",
      "Two entries have the same name, or names that differ by upper and lower case only. Programs disagree about which "
      "of them counts."},
     {"ARC0105", Severity::error, Strict::same, "encrypted archive",
-     "An entry is encrypted. gonio reads no encrypted archives."},
+     "An entry is encrypted. gonio does not read encrypted archives."},
     {"ARC0106", Severity::error, Strict::same, "archive of another kind",
      "gonio reads entries that are stored or deflated, in archives of one part below 4 GiB: not ZIP64, and no other "
      "compression."},
     {"ARC0107", Severity::error, Strict::same, "missing in an archive",
      "The archive does not have the file that makes it what it should be: product.xml of GLDF, description.xml of "
-     "GDTF, "
-     "the layer of USDZ."},
+     "GDTF, the layer of USDZ."},
 
     {"ARC0201", Severity::error, Strict::same, "not well-formed XML in an archive",
      "The XML breaks the rules at this place, or its outermost element is another one."},
     {"ARC0202", Severity::error, Strict::same, "document type in an archive",
      "The XML declares a document type. GLDF and GDTF have none, and entities that are declared in one can grow "
-     "without "
-     "end, so gonio reads no such file."},
+     "without end, so gonio reads no such file."},
     {"ARC0203", Severity::error, Strict::same, "XML in an archive beyond a limit",
      "The XML is larger or nested deeper than gonio allows. 'gonio list limits' shows the limits."},
 
