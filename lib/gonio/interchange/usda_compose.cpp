@@ -519,7 +519,8 @@ private:
         for (const Site& site : group) {
             const auto variants = layers_[site.layer].variants.find(site.prim);
             if (variants == layers_[site.layer].variants.end()) continue;
-            if (Result<void> looked = look(variants->second.size(), site); !looked) return looked;
+            constexpr std::size_t steps = 16; // of each set
+            if (Result<void> looked = look(steps * variants->second.size(), site); !looked) return looked;
             for (const ParsedLayer::Variants& of : variants->second) {
                 const auto [choice, is_new] = selected.try_emplace(of.set, nullptr);
                 if (is_new) {
@@ -753,7 +754,6 @@ private:
         made.parent = parent;
         made.specifier = UsdSpecifier::over;
         std::set<std::string_view> removed;
-        std::set<std::string_view> schemas;
         std::map<std::string_view, std::size_t> attributes;
         std::size_t bytes = made.name.size();
         for (const Site& site : sites) {
@@ -766,7 +766,7 @@ private:
                 !looked)
                 return pass_on(looked);
             for (const std::string& schema : prim.schemas) {
-                if (removed.contains(schema) || !schemas.insert(schema).second) continue;
+                if (removed.contains(schema)) continue;
                 bytes += sizeof(std::string) + schema.size();
                 made.schemas.push_back(schema);
             }
