@@ -514,33 +514,40 @@ private:
         sites.insert(sites.end(), group.begin(), group.end());
         if (Result<void> added = follow(group, UsdArcKind::inherit, sites); !added) return added;
         // Selected once for each set, before any of their variants can select.
-        std::map<std::string_view, const std::string*> selected;
-        std::vector<Site> chosen;
+        struct Selected {
+            const std::string* variant = nullptr; // nullptr: none
+            std::size_t chosen = 0;
+        };
+        std::map<std::string_view, Selected> selected;
+        std::vector<std::vector<Site>> chosen; // of each set, which has arcs of its own
         for (const Site& site : group) {
             const auto variants = layers_[site.layer].variants.find(site.prim);
             if (variants == layers_[site.layer].variants.end()) continue;
             constexpr std::size_t steps = 16; // of each set
             if (Result<void> looked = look(steps * variants->second.size(), site); !looked) return looked;
             for (const ParsedLayer::Variants& of : variants->second) {
-                const auto [choice, is_new] = selected.try_emplace(of.set, nullptr);
+                const auto [choice, is_new] = selected.try_emplace(of.set);
                 if (is_new) {
                     Result<const std::string*> found = selection(of.set, sites, base);
                     if (!found) return pass_on(found);
-                    choice->second = *found;
-                    if (choice->second == nullptr)
+                    choice->second = {*found, chosen.size()};
+                    chosen.emplace_back();
+                    if (*found == nullptr)
                         warn("SCN0201", site.layer, prim_at({site.stack, site.layer, first_of(of), {}}).offset,
                              fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
                                          shown(of.set), shown(path_of(site))));
                 }
-                if (choice->second == nullptr) continue;
-                const auto named = of.by_name.find(*choice->second);
+                const Selected& one = choice->second;
+                if (one.variant == nullptr) continue;
+                const auto named = of.by_name.find(*one.variant);
                 if (named == of.by_name.end()) continue;
                 for (const std::uint32_t variant : named->second)
-                    chosen.push_back({site.stack, site.layer, variant, site.times});
+                    chosen[one.chosen].push_back({site.stack, site.layer, variant, site.times});
             }
         }
-        if (!chosen.empty())
-            if (Result<void> added = expand_group(chosen, base, sites, depth + 1); !added) return added;
+        for (const std::vector<Site>& variants : chosen)
+            if (!variants.empty())
+                if (Result<void> added = expand_group(variants, base, sites, depth + 1); !added) return added;
         for (const UsdArcKind kind : {UsdArcKind::reference, UsdArcKind::payload, UsdArcKind::specialize})
             if (Result<void> added = follow(group, kind, sites); !added) return added;
         return {};

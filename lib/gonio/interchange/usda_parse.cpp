@@ -86,8 +86,8 @@ private:
 
     // Composition compares paths and keeps them often.
     static constexpr std::size_t longest_path = 4096;
-    Unexpected too_long() {
-        return wrong("SCN0108", token_.offset, fmt::format("a path of more than {} bytes", longest_path));
+    Unexpected too_long(std::size_t at) {
+        return wrong("SCN0108", at, fmt::format("a path of more than {} bytes", longest_path));
     }
 
     void skip_blanks() {
@@ -245,7 +245,8 @@ private:
             UsdValue said;
             const bool keep = name.is("metersPerUnit") || name.is("upAxis") || name.is("doc") || name.is("defaultPrim");
             if (Result<void> read = value(keep ? &said : nullptr); !read) return read;
-            if (name.is("defaultPrim") && !said.texts.empty() && said.texts[0].size() > longest_path) return too_long();
+            if (name.is("defaultPrim") && !said.texts.empty() && said.texts[0].size() > longest_path)
+                return too_long(said.offset);
             if (name.is("defaultPrim") && !said.texts.empty()) layer_.default_prim = said.texts[0];
             if (name.is("metersPerUnit")) {
                 if (said.numbers.size() != 1 || !(said.numbers[0] > 0.0) || !(said.numbers[0] < 1e30))
@@ -281,13 +282,13 @@ private:
             arc.edit = edit;
             arc.at = token_.offset;
             if (token_.kind != Kind::asset && token_.kind != Kind::path) return wrong("an asset or a path is expected");
-            if (token_.text.size() > longest_path) return too_long();
+            if (token_.text.size() > longest_path) return too_long(token_.offset);
             if (token_.kind == Kind::asset) {
                 arc.asset = token_.text;
                 if (Result<void> read = advance(); !read) return read;
             }
             if (token_.kind == Kind::path) {
-                if (token_.text.size() > longest_path) return too_long();
+                if (token_.text.size() > longest_path) return too_long(token_.offset);
                 arc.path = token_.text;
                 if (Result<void> read = advance(); !read) return read;
             }

@@ -365,6 +365,21 @@ TEST(UsdComposition, RepetitionIsSharedOrRefused) {
     EXPECT_EQ(code(layer("", "    defaultPrim = \"" + folders + "\"\n")), "SCN0108");
 }
 
+// Arcs of a variant do not replace those of another set.
+TEST(UsdComposition, SetsOfVariantsHaveTheirOwnArcs) {
+    const FoundScene scene = composed(layer("class \"one\" {\n" + rect("p", 1) + rect("both", 2) +
+                                            "}\nclass \"two\" {\n" + rect("q", 3) + rect("both", 4) + R"(}
+def "a" ( variants = { string s = "x" string t = "y" } ) {
+    variantSet "s" = { "x" ( append references = </one> ) { } }
+    variantSet "t" = { "y" ( references = </two> ) { } }
+}
+)"));
+    std::map<std::string, double> found;
+    for (const FoundLight& light : scene.lights)
+        if (light.place.starts_with("/a/")) found[light.place] = number_of(light);
+    EXPECT_EQ(found, (std::map<std::string, double>{{"/a/both", 2.0}, {"/a/p", 1.0}, {"/a/q", 3.0}}));
+}
+
 // One of thousands of variants, by its name.
 TEST(UsdComposition, ManyVariants) {
     std::string sets;
