@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -75,40 +76,49 @@ private:
 
     // The value of an attribute; `inputs:` is left out before 21.02.
     const UsdValue* value(FoundLight* light, const UsdPrim& prim, std::string_view name) {
-        const UsdAttribute* found = prim.find(fmt::format("inputs:{}", name));
-        if (found == nullptr) found = prim.find(name);
-        if (found == nullptr) return nullptr;
+        std::optional<UsdOpinion> found = prim.find(fmt::format("inputs:{}", name));
+        if (!found) found = prim.find(name);
+        if (!found) return nullptr;
         if (found->is_connected && light != nullptr)
             remark(*light, "SCN0201", fmt::format("'{}' is connected to another prim: its own value is taken", name));
-        if (found->samples.empty() || (found->value.is_set && !options_.time))
-            return found->value.is_set ? &found->value : nullptr;
-        const UsdValue* const then = options_.time ? at_time(*found, *options_.time) : first_of(found->samples);
-        if (light != nullptr && !options_.time && found->samples.size() > 1) changing_.emplace_back(name);
+        const UsdAttribute& said = *found->said;
+        if (said.samples.empty() || (said.value.is_set && !options_.time))
+            return said.value.is_set ? &said.value : nullptr;
+        const UsdValue* const then = options_.time ? at_time(*found, *options_.time) : first_of(*found);
+        if (light != nullptr && !options_.time && said.samples.size() > 1) changing_.emplace_back(name);
         return then->is_set ? then : nullptr;
     }
 
-    static const UsdValue* first_of(const std::vector<UsdSample>& samples) {
-        const auto first = std::min_element(samples.begin(), samples.end(), is_before);
-        return &first->value;
+    // There is one at least.
+    static const UsdValue* first_of(const UsdOpinion& of) {
+        return of.times.scale < 0.0 ? &of.said->samples.back().value : &of.said->samples.front().value;
     }
-    static bool is_before(const UsdSample& a, const UsdSample& b) { return a.time < b.time; }
 
-    // Outside the samples' times, the nearest.
-    const UsdValue* at_time(const UsdAttribute& attribute, double time) {
-        const UsdSample* before = nullptr;
-        const UsdSample* after = nullptr;
-        for (const UsdSample& sample : attribute.samples) {
-            if (sample.time <= time && (before == nullptr || is_before(*before, sample))) before = &sample;
-            if (sample.time >= time && (after == nullptr || is_before(sample, *after))) after = &sample;
-        }
-        if (before == nullptr) return &after->value;
+    // Outside the samples' times, the nearest. There is one at least.
+    const UsdValue* at_time(const UsdOpinion& of, double scene_time) {
+        const UsdAttribute& attribute = *of.said;
+        // A scale of 0 has all samples at once.
+        const double time = (scene_time - of.times.offset) / of.times.scale;
+        if (std::isnan(time) || of.times.scale == 0.0) return first_of(of);
+        const auto after = std::lower_bound(attribute.samples.begin(), attribute.samples.end(), time,
+                                            [](const UsdSample& sample, double t) { return sample.time < t; });
+        if (after == attribute.samples.begin()) return &after->value;
+        const auto before = std::prev(after);
+        if (after == attribute.samples.end()) return &before->value;
+        if (after->time == time) return &after->value;
         const std::vector<double>& low = before->value.numbers;
-        if (after == nullptr || before->time == after->time || attribute.between == UsdBetween::held ||
-            !after->value.is_set || low.size() != after->value.numbers.size())
-            return &before->value;
         const std::vector<double>& high = after->value.numbers;
-        const double share = (time - before->time) / (after->time - before->time);
-        UsdValue& made = made_.emplace_back(before->value);
+        constexpr std::size_t most = 16; // a matrix; longer ones are not of lights
+        if (attribute.between == UsdBetween::held || !after->value.is_set || low.size() != high.size() ||
+            low.size() > most || low.empty())
+            return &before->value;
+        // By halves where the whole difference is beyond the largest number.
+        const double half = std::isfinite(after->time - before->time) ? 1.0 : 0.5;
+        const double share = (half * time - half * before->time) / (half * after->time - half * before->time);
+        UsdValue& made = made_.emplace_back();
+        made.is_set = before->value.is_set;
+        made.offset = before->value.offset;
+        made.layer = before->value.layer;
         if (attribute.between == UsdBetween::turned && low.size() == 4) {
             const auto turn = [](const std::vector<double>& v) {
                 return glm::normalize(glm::dquat(v[0], v[1], v[2], v[3]));
@@ -117,7 +127,7 @@ private:
             made.numbers = {between.w, between.x, between.y, between.z};
         } else {
             for (std::size_t i = 0; i < low.size(); ++i)
-                made.numbers[i] = (1.0 - share) * low[i] + share * high[i];
+                made.numbers.push_back((1.0 - share) * low[i] + share * high[i]);
         }
         return &made;
     }
@@ -146,20 +156,27 @@ private:
     std::string path_of(std::uint32_t at) const {
         std::string path;
         for (; at != no_prim; at = layer_.prims[at].parent) {
-            path.insert(0, "/" + layer_.prims[at].name);
             constexpr std::size_t longest = 400;
+            std::string_view name = layer_.prims[at].name;
+            if (name.size() > longest) { // the end of it, of whole characters
+                name.remove_prefix(name.size() - longest);
+                while (!name.empty() && (static_cast<unsigned char>(name.front()) & 0xc0U) == 0x80U)
+                    name.remove_prefix(1);
+                return fmt::format("…{}{}", name, path);
+            }
+            path.insert(0, fmt::format("/{}", name));
             if (path.size() > longest) return "…" + path;
         }
         return path;
     }
 
     Result<glm::dmat4> op(const UsdPrim& prim, std::string_view name) {
-        const UsdAttribute* const attribute = prim.find(name);
-        const UsdValue* const found = attribute != nullptr ? value(nullptr, prim, name) : nullptr;
+        const std::optional<UsdOpinion> attribute = prim.find(name);
+        const UsdValue* const found = attribute ? value(nullptr, prim, name) : nullptr;
         if (found == nullptr)
             return scene_error("SCN0103", place(prim),
                                fmt::format("xformOpOrder names '{}', which has no value", name.substr(0, 80)));
-        moves_ = moves_ || (!options_.time && !attribute->value.is_set && attribute->samples.size() > 1);
+        moves_ = moves_ || (!options_.time && !attribute->said->value.is_set && attribute->said->samples.size() > 1);
         const std::vector<double>& v = found->numbers;
         std::string_view kind = name.substr(std::min(std::string_view("xformOp:").size(), name.size()));
         kind = kind.substr(0, kind.find(':'));
@@ -206,9 +223,13 @@ private:
     Result<glm::dmat4> local(const UsdPrim& prim, bool& resets) {
         glm::dmat4 own(1.0);
         resets = false;
-        const UsdAttribute* const order = prim.find("xformOpOrder");
-        if (order == nullptr) return own;
-        for (std::string_view name : order->value.texts) {
+        const std::optional<UsdOpinion> order = prim.find("xformOpOrder");
+        if (!order) return own;
+        constexpr std::size_t most = 1024;
+        if (order->said->value.texts.size() > most)
+            return scene_error("SCN0108", place(order->said->value),
+                               fmt::format("more than {} transformations of a prim", most));
+        for (std::string_view name : order->said->value.texts) {
             if (name == "!resetXformStack!") {
                 resets = true;
                 own = glm::dmat4(1.0);
@@ -338,12 +359,14 @@ private:
         bool normalized = false;
     };
 
+    static bool is_of_shaping(const UsdAttribute& one) { return one.name.find("shaping:") != std::string::npos; }
+
     Result<Shaping> shaping_of(FoundLight& light, const UsdPrim& prim) {
         Shaping shaping;
         shaping.is_there = std::find(prim.schemas.begin(), prim.schemas.end(), "ShapingAPI") != prim.schemas.end() ||
-                           std::any_of(prim.attributes.begin(), prim.attributes.end(), [](const UsdAttribute& one) {
-                               return one.name.find("shaping:") != std::string::npos;
-                           });
+                           std::any_of(prim.attributes.begin(), prim.attributes.end(), is_of_shaping) ||
+                           std::any_of(prim.opinions.begin(), prim.opinions.end(),
+                                       [](const UsdOpinion& one) { return is_of_shaping(*one.said); });
         if (!shaping.is_there) return shaping;
         for (const auto& [name, into] :
              {std::pair{"shaping:cone:angle", &shaping.angle}, std::pair{"shaping:cone:softness", &shaping.softness},
@@ -354,6 +377,11 @@ private:
         }
         if (const UsdValue* const file = value(&light, prim, "shaping:ies:file");
             file != nullptr && !file->texts.empty() && !file->texts.front().empty()) {
+            // Prims that are composed of the same one all name its file.
+            constexpr std::size_t most_bytes = std::size_t{256} << 20U;
+            name_bytes_ += file->texts.front().size();
+            if (name_bytes_ > most_bytes)
+                return scene_error("SCN0108", place(*file), "the names of profiles are longer than 256 MiB");
             const UsdSource& from = stage_.sources[file->layer];
             shaping.archive = from.archive;
             // As written where it is beside the scene.
@@ -538,6 +566,7 @@ private:
     std::deque<UsdValue> made_;                                                  // between samples
     std::vector<std::string> changing_;                                          // attributes of the light that is read
     std::map<std::pair<int, std::string>, std::optional<std::size_t>> profiles_; // in archives
+    std::size_t name_bytes_ = 0;                                                 // of profiles
     char up_ = 'y';
     bool moves_ = false; // a transformation above a light changes over time
 };
@@ -550,13 +579,15 @@ bool is_usda(std::string_view bytes) {
     return bytes.starts_with("#usda");
 }
 
+bool is_usd_name(std::string_view name) {
+    return ends_with_any_case(name, ".usda") || ends_with_any_case(name, ".usd") || ends_with_any_case(name, ".usdc");
+}
+
 bool is_usd(std::string_view bytes) {
     if (!is_archive(bytes)) return is_usda(bytes);
     const Result<Archive> archive = Archive::open(bytes, "");
     if (!archive || archive->entries().empty()) return false;
-    const std::string_view first = archive->entries().front().name;
-    return ends_with_any_case(first, ".usda") || ends_with_any_case(first, ".usd") ||
-           ends_with_any_case(first, ".usdc");
+    return is_usd_name(archive->entries().front().name);
 }
 
 Result<FoundScene> read_usd(std::string_view bytes, const std::string& source, const SceneReadOptions& options) {

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <list>
 #include <map>
 #include <set>
 #include <utility>
@@ -17,6 +19,7 @@ namespace gonio::interchange_detail {
 namespace {
 
 constexpr std::uint32_t no_prim = 0xffffffff;
+constexpr std::size_t no_file = std::string::npos;
 
 // Paths and names of others, short and plain for messages.
 std::string shown(std::string_view text) {
@@ -48,30 +51,27 @@ std::string normalised(std::string_view path) {
     return made;
 }
 
-bool is_layer_name(std::string_view name) {
-    return ends_with_any_case(name, ".usda") || ends_with_any_case(name, ".usd") || ends_with_any_case(name, ".usdc");
+// Of an arc in times that are themselves nested.
+UsdTimes nested(UsdTimes in, UsdTimes of) {
+    return {in.offset + in.scale * of.offset, in.scale * of.scale};
 }
 
-// Times of a layer in those of the scene.
-struct Times {
-    double offset = 0.0;
-    double scale = 1.0;
-
-    Times of(double by_offset, double by_scale) const { return {offset + scale * by_offset, scale * by_scale}; }
-};
+bool is_finite(UsdTimes times) {
+    return std::isfinite(times.offset) && std::isfinite(times.scale);
+}
 
 // A prim or a variant in a layer; `prim` is no_prim for the layer's root.
 struct Site {
     std::uint32_t stack = 0;
     std::uint32_t layer = 0;
     std::uint32_t prim = no_prim;
-    Times times;
+    UsdTimes times;
 };
 
 // A layer with its sublayers, the strongest first.
 struct LayerOfStack {
     std::uint32_t layer = 0;
-    Times times;
+    UsdTimes times;
 };
 
 struct ParsedLayer {
@@ -79,7 +79,12 @@ struct ParsedLayer {
     // By parent and name; variants are left out, and are listed by the prim that they are of.
     std::map<std::pair<std::uint32_t, std::string_view>, std::uint32_t> prims;
     std::map<std::uint32_t, std::vector<std::uint32_t>> children;
-    std::map<std::uint32_t, std::vector<std::uint32_t>> variants;
+    struct Variants {
+        std::string_view set;
+        std::map<std::string_view, std::vector<std::uint32_t>> by_name;
+    };
+    std::map<std::uint32_t, std::vector<Variants>> variants; // sets in their order
+    bool is_indexed = false;
 };
 
 class Composer {
@@ -100,20 +105,52 @@ public:
         layer.prims = std::move(prims);
         Result<std::uint32_t> stack = stack_of(*root);
         if (!stack) return pass_on(stack);
-        return flatten(*stack);
+        if (Result<void> flat = flatten(*stack); !flat) return flat;
+        for (ParsedLayer& each : layers_) // what opinions point to stays where it is
+            stage_.layers.push_back(std::move(each.layer));
+        close_counts();
+        return {};
     }
 
 private:
-    void warn(SceneCode code, Location location, std::string message, std::string hint = {}) {
+    // Warnings of a code: the first ones, and in how many further places there would be more.
+    struct Said {
+        std::set<std::string, std::less<>> messages;
+        std::set<std::pair<std::uint32_t, std::size_t>> more;
+        std::size_t last = 0; // of the stage's diagnostics
+    };
+
+    // `at` in the text of `layer`.
+    void warn(SceneCode code, std::uint32_t layer, std::size_t at, const std::string& message, std::string hint = {}) {
         constexpr std::size_t most = 20;
-        if (!said_.insert(message).second || said_.size() > most) return;
+        Said& of = said_[code->code];
+        if (of.messages.contains(message)) return;
+        if (of.messages.size() == most) {
+            of.more.insert({layer, at});
+            return;
+        }
+        of.messages.insert(message);
         Diagnostic said;
         said.code = code->code;
         said.severity = code->severity;
-        said.location = std::move(location);
-        said.message = std::move(message);
+        said.location = stage_.place(layer, at);
+        said.message = message;
         said.hint = std::move(hint);
+        of.last = stage_.diagnostics.size();
         stage_.diagnostics.push_back(std::move(said));
+    }
+
+    void close_counts() {
+        for (const auto& [code, of] : said_)
+            if (!of.more.empty()) stage_.diagnostics[of.last].message += fmt::format(" (and {} more)", of.more.size());
+    }
+
+    // Counts what is looked at. A short file may name the same long lists again and again.
+    Result<void> look(std::size_t count, const Site& from) {
+        constexpr std::size_t most = 64000000;
+        looked_at_ += count;
+        if (looked_at_ <= most) return {};
+        return scene_error("SCN0108", place_of(from), fmt::format("more than {} steps of composition", most));
     }
 
     // Layers ----------------------------------------------------------------------------------------------------------
@@ -128,7 +165,7 @@ private:
         Result<Archive> archive = Archive::open(bytes, source);
         if (!archive) return pass_on(archive);
         stage_.archives.push_back(std::move(*archive));
-        Result<std::optional<std::string_view>> text = first_layer(0, {source, 0, 0}, true);
+        Result<std::optional<std::string_view>> text = first_layer(0, {source, 0, 0}, nullptr);
         if (!text) return pass_on(text);
         UsdSource root;
         root.archive = 0;
@@ -137,23 +174,25 @@ private:
         return add_layer(**text, stage_.archives.front().name_of(entry), std::move(root));
     }
 
-    // The text of the first file of an archive, which is its scene. Another one is an error, or a warning.
-    Result<std::optional<std::string_view>> first_layer(int archive, const Location& at, bool must) {
+    // The text of the first file of an archive, which is its scene. Another one is an error, or a warning at `arc`, a
+    // layer and a place in it.
+    Result<std::optional<std::string_view>> first_layer(int archive, const Location& at,
+                                                        const std::pair<std::uint32_t, std::size_t>* arc) {
         const Archive& of = stage_.archives[static_cast<std::size_t>(archive)];
         const std::string why = "the first file of a USDZ archive must be a layer of USD as text";
         const std::string hint = "convert it first: usdcat scene.usdz -o scene.usda";
-        if (of.entries().empty() || !is_layer_name(of.entries().front().name)) {
-            if (must) return scene_error("SCN0101", at, why, hint);
-            warn("SCN0107", at, why, hint);
+        if (of.entries().empty() || !is_usd_name(of.entries().front().name)) {
+            if (arc == nullptr) return scene_error("SCN0101", at, why, hint);
+            warn("SCN0107", arc->first, arc->second, why, hint);
             return std::optional<std::string_view>();
         }
         Result<std::string> bytes = of.read(of.entries().front());
         if (!bytes) return pass_on(bytes);
         if (!is_usda(*bytes)) {
-            if (must)
+            if (arc == nullptr)
                 return scene_error("SCN0101", {of.name_of(of.entries().front()), 0, 0},
                                    "this layer is binary USD (USDC), which gonio does not read", hint);
-            warn("SCN0107", at, why, hint);
+            warn("SCN0107", arc->first, arc->second, why, hint);
             return std::optional<std::string_view>();
         }
         stage_.texts.push_back(std::move(*bytes));
@@ -182,24 +221,49 @@ private:
         return index;
     }
 
-    void index_layer(ParsedLayer& of) {
-        if (!of.children.empty()) return;
+    static void index_layer(ParsedLayer& of) {
+        if (std::exchange(of.is_indexed, true)) return;
+        std::map<std::pair<std::uint32_t, std::string_view>, std::size_t> sets;
         for (std::uint32_t i = 0; i < of.layer.prims.size(); ++i) {
             const UsdPrim& prim = of.layer.prims[i];
             if (prim.is_variant) {
-                of.variants[prim.parent].push_back(i);
+                const std::string_view set = of.layer.compositions.at(i).variant_set;
+                std::vector<ParsedLayer::Variants>& all = of.variants[prim.parent];
+                const auto [at, is_new] = sets.try_emplace({prim.parent, set}, all.size());
+                if (is_new) all.push_back({set, {}});
+                all[at->second].by_name[prim.name].push_back(i);
             } else if (of.prims.try_emplace({prim.parent, prim.name}, i).second) {
                 of.children[prim.parent].push_back(i);
             }
         }
     }
 
-    // A layer that another one names; nothing if it is missing, which is said.
+    // The file that an arc names, as a number. Files of the same name in other folders have others.
+    std::size_t file_of(std::uint32_t from, const UsdArc& arc) {
+        const auto [known, is_new] = file_by_arc_.try_emplace({from, arc.at});
+        if (is_new) {
+            const UsdSource& source = stage_.sources[from];
+            const auto [file, is_unknown] =
+                files_.try_emplace({source.archive, usd_file_name(source, arc.asset)}, files_.size());
+            known->second = file->second;
+        }
+        return known->second;
+    }
+
+    // Once for each arc: prims that are composed of the same one share its arcs.
     Result<std::optional<std::uint32_t>> layer_of(std::uint32_t from, const UsdArc& arc) {
+        if (const auto known = layer_by_arc_.find({from, arc.at}); known != layer_by_arc_.end()) return known->second;
+        Result<std::optional<std::uint32_t>> found = find_layer(from, arc);
+        if (found) layer_by_arc_[{from, arc.at}] = *found;
+        return found;
+    }
+
+    // A layer that another one names; nothing if it is missing, which is said.
+    Result<std::optional<std::uint32_t>> find_layer(std::uint32_t from, const UsdArc& arc) {
         const auto place = [&] { return stage_.place(from, arc.at); };
         const std::string written = shown(arc.asset);
         const auto missing = [&](std::string why, std::string hint = {}) -> Result<std::optional<std::uint32_t>> {
-            warn("SCN0107", place(), fmt::format("the layer '{}' is left out: {}", written, why), std::move(hint));
+            warn("SCN0107", from, arc.at, fmt::format("the layer '{}' is left out: {}", written, why), std::move(hint));
             return std::optional<std::uint32_t>();
         };
         if (arc.asset.starts_with('`')) return missing("its name is an expression");
@@ -241,7 +305,8 @@ private:
             if (!archive) return pass_on(archive);
             about.archive = static_cast<int>(stage_.archives.size());
             stage_.archives.push_back(std::move(*archive));
-            Result<std::optional<std::string_view>> first = first_layer(about.archive, place(), false);
+            const std::pair where(from, arc.at);
+            Result<std::optional<std::string_view>> first = first_layer(about.archive, place(), &where);
             if (!first) return pass_on(first);
             if (!*first) return std::optional<std::uint32_t>();
             const ArchiveEntry& entry = stage_.archives.back().entries().front();
@@ -258,7 +323,7 @@ private:
         const UsdLayer& layer = layers_[*made].layer;
         const UsdLayer& root = layers_.front().layer;
         if (layer.meters_per_unit != root.meters_per_unit || layer.up != root.up)
-            warn("SCN0201", place(),
+            warn("SCN0201", from, arc.at,
                  fmt::format(
                      "the layer '{}' has another unit or axis than the scene: as in USD, its lengths and axes are "
                      "taken as those of the scene",
@@ -279,8 +344,13 @@ private:
         return index;
     }
 
+    Unexpected beyond_numbers(std::uint32_t layer, const UsdArc& arc) {
+        return scene_error("SCN0105", stage_.place(layer, arc.at),
+                           "with those around it, the offset or scale of the layer's times is not a finite number");
+    }
+
     // NOLINTNEXTLINE(misc-no-recursion): as deep as scene-depth
-    Result<void> add_sublayers(std::uint32_t layer, Times times, std::vector<LayerOfStack>& stack,
+    Result<void> add_sublayers(std::uint32_t layer, UsdTimes times, std::vector<LayerOfStack>& stack,
                                std::vector<std::uint32_t>& active) {
         index_layer(layers_[layer]);
         stack.push_back({layer, times});
@@ -298,8 +368,9 @@ private:
             if (std::find(active.begin(), active.end(), **below) != active.end())
                 return scene_error("SCN0104", stage_.place(layer, arc.at),
                                    fmt::format("the layer '{}' is among its own sublayers", shown(arc.asset)));
-            if (Result<void> added = add_sublayers(**below, times.of(arc.offset, arc.scale), stack, active); !added)
-                return added;
+            const UsdTimes own = nested(times, arc.times);
+            if (!is_finite(own)) return beyond_numbers(layer, arc);
+            if (Result<void> added = add_sublayers(**below, own, stack, active); !added) return added;
         }
         active.pop_back();
         return {};
@@ -317,15 +388,38 @@ private:
     }
 
     Location place_of(const Site& site, std::size_t at) { return stage_.place(site.layer, at); }
+    Location place_of(const Site& site) {
+        return stage_.place(site.layer, site.prim == no_prim ? 0 : prim_at(site).offset);
+    }
 
-    std::string path_of(const Site& site) const {
-        std::string path;
+    // From the root on.
+    std::vector<std::string_view> names_of(const Site& site) const {
+        std::vector<std::string_view> names;
         for (std::uint32_t at = site.prim; at != no_prim;) {
             const UsdPrim& prim = layers_[site.layer].layer.prims[at];
-            if (!prim.is_variant) path.insert(0, "/" + prim.name);
+            if (!prim.is_variant) names.emplace_back(prim.name);
             at = prim.parent;
         }
+        std::reverse(names.begin(), names.end());
+        return names;
+    }
+
+    // For messages.
+    std::string path_of(const Site& site) const {
+        std::string path;
+        for (const std::string_view name : names_of(site))
+            path.append("/").append(shown(name));
         return path;
+    }
+
+    // Whether the prim is that of the path, or within it.
+    bool is_within(const Site& site, std::string_view path) const {
+        for (const std::string_view name : names_of(site)) {
+            if (path.empty()) return true;
+            if (!path.starts_with('/') || !path.substr(1).starts_with(name)) return false;
+            path.remove_prefix(1 + name.size());
+        }
+        return path.empty();
     }
 
     std::vector<Site> root_of(std::uint32_t stack) const {
@@ -363,6 +457,7 @@ private:
         const std::size_t slash = path.rfind('/');
         Result<const std::vector<Site>*> parents = sites_of(stack, path.substr(0, slash), from, at);
         if (!parents) return pass_on(parents);
+        if (Result<void> looked = look((*parents)->size(), from); !looked) return pass_on(looked);
         std::vector<Site> own;
         add_children_named(**parents, std::string_view(path).substr(slash + 1), own);
         return own;
@@ -410,63 +505,131 @@ private:
         if (sites.size() + group.size() > most || depth > limit("scene-depth").value)
             return scene_error("SCN0108", place_of(group.front(), prim_at(group.front()).offset),
                                fmt::format("a prim is composed of more than {} others", most));
+        // Those of paths that are only referred to are kept too.
+        constexpr std::size_t most_of_all = 4000000;
+        composed_sites_ += group.size();
+        if (composed_sites_ > most_of_all)
+            return scene_error("SCN0108", place_of(group.front()),
+                               fmt::format("prims are composed of more than {} others together", most_of_all));
         sites.insert(sites.end(), group.begin(), group.end());
         if (Result<void> added = follow(group, UsdArcKind::inherit, sites); !added) return added;
-        std::vector<Site> chosen;
-        std::set<std::string, std::less<>> without;
+        // Selected once for each set, before any of their variants can select.
+        struct Selected {
+            const std::string* variant = nullptr; // nullptr: none
+            std::size_t chosen = 0;
+        };
+        std::map<std::string_view, Selected> selected;
+        std::vector<std::vector<Site>> chosen; // of each set, which has arcs of its own
         for (const Site& site : group) {
-            const ParsedLayer& layer = layers_[site.layer];
-            const auto variants = layer.variants.find(site.prim);
-            if (variants == layer.variants.end()) continue;
-            for (const std::uint32_t variant : variants->second) {
-                const UsdPrim& prim = layer.layer.prims[variant];
-                const std::string& set = layer.layer.compositions.at(variant).variant_set;
-                const std::string* const selected = selection(set, sites, base);
-                if (selected == nullptr && without.insert(set).second)
-                    warn("SCN0201", place_of(site, prim.offset),
-                         fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
-                                     shown(set), shown(path_of(site))));
-                if (selected != nullptr && *selected == prim.name)
-                    chosen.push_back({site.stack, site.layer, variant, site.times});
+            const auto variants = layers_[site.layer].variants.find(site.prim);
+            if (variants == layers_[site.layer].variants.end()) continue;
+            constexpr std::size_t steps = 16; // of each set
+            if (Result<void> looked = look(steps * variants->second.size(), site); !looked) return looked;
+            for (const ParsedLayer::Variants& of : variants->second) {
+                const auto [choice, is_new] = selected.try_emplace(of.set);
+                if (is_new) {
+                    Result<const std::string*> found = selection(of.set, sites, base);
+                    if (!found) return pass_on(found);
+                    choice->second = {*found, chosen.size()};
+                    chosen.emplace_back();
+                    if (*found == nullptr)
+                        warn("SCN0201", site.layer, prim_at({site.stack, site.layer, first_of(of), {}}).offset,
+                             fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
+                                         shown(of.set), shown(path_of(site))));
+                }
+                const Selected& one = choice->second;
+                if (one.variant == nullptr) continue;
+                const auto named = of.by_name.find(*one.variant);
+                if (named == of.by_name.end()) continue;
+                for (const std::uint32_t variant : named->second)
+                    chosen[one.chosen].push_back({site.stack, site.layer, variant, site.times});
             }
         }
-        if (!chosen.empty())
-            if (Result<void> added = expand_group(chosen, base, sites, depth + 1); !added) return added;
+        for (const std::vector<Site>& variants : chosen)
+            if (!variants.empty())
+                if (Result<void> added = expand_group(variants, base, sites, depth + 1); !added) return added;
         for (const UsdArcKind kind : {UsdArcKind::reference, UsdArcKind::payload, UsdArcKind::specialize})
             if (Result<void> added = follow(group, kind, sites); !added) return added;
         return {};
     }
 
-    const std::string* selection(std::string_view set, const std::vector<Site>& sites,
-                                 const std::vector<Site>& base) const {
+    // In the text.
+    static std::uint32_t first_of(const ParsedLayer::Variants& set) {
+        std::uint32_t first = no_prim;
+        for (const auto& [name, variants] : set.by_name)
+            first = std::min(first, variants.front());
+        return first;
+    }
+
+    // nullptr: there is none.
+    Result<const std::string*> selection(std::string_view set, const std::vector<Site>& sites,
+                                         const std::vector<Site>& base) {
         for (const std::vector<Site>* const among : {&sites, &base})
-            for (const Site& site : *among)
-                for (const auto& [name, variant] : composition_at(site).selected)
+            for (const Site& site : *among) {
+                const auto& all = composition_at(site).selected;
+                if (Result<void> looked = look(1 + all.size(), site); !looked) return pass_on(looked);
+                for (const auto& [name, variant] : all)
                     if (name == set) return &variant;
+            }
         return nullptr;
     }
 
-    // Arcs of one kind: those that the strongest layers add, up to one that lists all.
-    // NOLINTNEXTLINE(misc-no-recursion): by way of sites_of()
+    // Arcs of one kind. Each layer edits the list of weaker ones: it replaces it, or deletes, prepends to the front,
+    // appends to the back, and adds what is not in it. The first of the list is the strongest. The same one twice
+    // counts once. NOLINTNEXTLINE(misc-no-recursion): by way of sites_of()
     Result<void> follow(const std::vector<Site>& group, UsdArcKind kind, std::vector<Site>& sites) {
-        std::set<std::pair<std::string, std::string>> removed;
-        std::set<std::pair<std::string, std::string>> taken;
-        for (const Site& site : group) {
-            bool is_all = false;
+        using Key = std::pair<std::size_t, std::string_view>; // file and path
+        struct Listed {
+            Key key;
+            const Site* site = nullptr;
+            const UsdArc* arc = nullptr;
+        };
+        std::list<Listed> listed;
+        std::map<Key, std::list<Listed>::iterator> places;
+        const auto remove = [&](const Key& key) {
+            const auto known = places.find(key);
+            if (known == places.end()) return;
+            listed.erase(known->second);
+            places.erase(known);
+        };
+        for (std::size_t i = group.size(); i-- > 0;) { // from the weakest on
+            const Site& site = group[i];
             const std::vector<UsdArc>& arcs = composition_at(site).arcs;
-            for (const UsdArc& arc : arcs) {
-                if (arc.kind != kind) continue;
-                is_all = is_all || arc.edit == UsdListEdit::is_all;
-                const std::pair<std::string, std::string> key(arc.asset, arc.path);
-                if (arc.is_none || arc.edit == UsdListEdit::removes || removed.contains(key)) continue;
-                // The same one twice counts once, but for files of the same name in other folders.
-                if (!taken.insert(key).second) continue;
-                if (Result<void> added = follow(site, arc, sites); !added) return added;
+            if (arcs.empty()) continue;
+            if (Result<void> looked = look(arcs.size(), site); !looked) return looked;
+            const auto key_of = [&](const UsdArc& arc) {
+                return Key(arc.asset.empty() ? no_file : file_of(site.layer, arc), arc.path);
+            };
+            const auto is_said = [&](const UsdArc& arc, UsdListEdit edit) {
+                return arc.kind == kind && arc.edit == edit && !arc.is_none;
+            };
+            if (std::any_of(arcs.begin(), arcs.end(),
+                            [&](const UsdArc& arc) { return arc.kind == kind && arc.edit == UsdListEdit::is_all; })) {
+                listed.clear();
+                places.clear();
             }
             for (const UsdArc& arc : arcs)
-                if (arc.kind == kind && arc.edit == UsdListEdit::removes) removed.insert({arc.asset, arc.path});
-            if (is_all) break;
+                if (is_said(arc, UsdListEdit::removes)) remove(key_of(arc));
+            for (const UsdArc& arc : arcs) {
+                if (!is_said(arc, UsdListEdit::is_all) && !is_said(arc, UsdListEdit::adds)) continue;
+                const Key key = key_of(arc);
+                if (!places.contains(key)) places[key] = listed.insert(listed.end(), {key, &site, &arc});
+            }
+            for (auto arc = arcs.rbegin(); arc != arcs.rend(); ++arc) {
+                if (!is_said(*arc, UsdListEdit::prepends)) continue;
+                const Key key = key_of(*arc);
+                remove(key);
+                places[key] = listed.insert(listed.begin(), {key, &site, &*arc});
+            }
+            for (const UsdArc& arc : arcs) {
+                if (!is_said(arc, UsdListEdit::appends)) continue;
+                const Key key = key_of(arc);
+                remove(key);
+                places[key] = listed.insert(listed.end(), {key, &site, &arc});
+            }
         }
+        for (const Listed& one : listed)
+            if (Result<void> added = follow(*one.site, *one.arc, sites); !added) return added;
         return {};
     }
 
@@ -485,7 +648,7 @@ private:
         if (path.empty()) {
             path = layers_[stacks_[stack].front().layer].layer.default_prim;
             if (path.empty()) {
-                warn("SCN0107", place_of(site, arc.at),
+                warn("SCN0107", site.layer, arc.at,
                      fmt::format("the layer '{}' has no defaultPrim: the reference to it is left out",
                                  shown(arc.asset)));
                 return {};
@@ -493,13 +656,12 @@ private:
             if (!path.starts_with('/')) path.insert(0, "/");
         }
         if (!path.starts_with('/') || path.size() < 2 || path.find_first_of(".{") != std::string::npos) {
-            warn("SCN0107", place_of(site, arc.at),
+            warn("SCN0107", site.layer, arc.at,
                  fmt::format("'<{}>' is left out: only absolute paths of prims are followed", shown(path)));
             return {};
         }
         if (path.ends_with('/')) path.pop_back();
-        const std::string own = path_of(site) + "/";
-        if (stack == site.stack && own.starts_with(path + "/"))
+        if (stack == site.stack && is_within(site, path))
             return scene_error(
                 "SCN0104", place_of(site, arc.at),
                 fmt::format("the prim '{}' is composed of itself or of a prim that it is in", shown(path_of(site))));
@@ -507,10 +669,13 @@ private:
         Result<std::vector<Site>> target = base_of(stack, path, site, arc.at);
         if (!target) return pass_on(target);
         if (target->empty() && arc.kind != UsdArcKind::inherit && arc.kind != UsdArcKind::specialize)
-            warn("SCN0107", place_of(site, arc.at), fmt::format("there is no prim '{}' to refer to", shown(path)));
-        const Times times = site.times.of(arc.offset, arc.scale);
-        for (Site& one : *target)
-            one.times = times.of(one.times.offset, one.times.scale);
+            warn("SCN0107", site.layer, arc.at, fmt::format("there is no prim '{}' to refer to", shown(path)));
+        const UsdTimes times = nested(site.times, arc.times);
+        if (!is_finite(times)) return beyond_numbers(site.layer, arc);
+        for (Site& one : *target) {
+            one.times = nested(times, one.times);
+            if (!is_finite(one.times)) return beyond_numbers(site.layer, arc);
+        }
         // In the same list, so that the stronger sites in it select variants.
         if (Result<void> expanded = expand(*target, sites); !expanded) return expanded;
         active_.pop_back();
@@ -537,6 +702,7 @@ private:
             }
             const std::string_view name = open.back().children.back();
             open.back().children.pop_back();
+            if (Result<void> looked = look(open.back().sites.size(), open.back().sites.front()); !looked) return looked;
             std::vector<Site> own;
             add_children_named(open.back().sites, name, own);
             Open child;
@@ -549,12 +715,12 @@ private:
                     "SCN0108", at(),
                     fmt::format("nested deeper than {}, references included", to_text(limit("scene-depth"))));
             constexpr std::size_t most_prims = 1000000;
-            constexpr std::size_t most_sites = 4000000;
-            composed_sites_ += child.sites.size();
-            if (stage_.layer.prims.size() >= most_prims || composed_sites_ > most_sites)
+            if (stage_.layer.prims.size() >= most_prims)
                 return scene_error("SCN0108", at(), fmt::format("more than {} prims, references included", most_prims));
             child.prim = static_cast<std::uint32_t>(stage_.layer.prims.size());
-            stage_.layer.prims.push_back(merged(child.sites, open.back().prim));
+            Result<UsdPrim> made = merged(child.sites, open.back().prim);
+            if (!made) return pass_on(made);
+            stage_.layer.prims.push_back(std::move(*made));
             list_children(child);
             open.push_back(std::move(child));
         }
@@ -574,43 +740,61 @@ private:
         std::reverse(of.children.begin(), of.children.end());
     }
 
+    static bool says(const UsdAttribute& attribute) {
+        return attribute.value.is_set || attribute.value.is_blocked || !attribute.samples.empty();
+    }
+
+    // What a composed prim does not share with others.
+    Result<void> keep(std::size_t bytes, const Site& of) {
+        constexpr std::size_t most = std::size_t{256} << 20U;
+        kept_bytes_ += bytes;
+        if (kept_bytes_ <= most) return {};
+        return scene_error("SCN0108", place_of(of), "the names and lists of the composed prims are beyond 256 MiB");
+    }
+
     // The strongest opinion about everything.
-    UsdPrim merged(const std::vector<Site>& sites, std::uint32_t parent) const {
+    Result<UsdPrim> merged(const std::vector<Site>& sites, std::uint32_t parent) {
         UsdPrim made;
         made.name = prim_at(sites.front()).name;
         made.offset = prim_at(sites.front()).offset;
         made.layer = sites.front().layer;
         made.parent = parent;
         made.specifier = UsdSpecifier::over;
-        std::set<std::string, std::less<>> removed;
+        std::set<std::string_view> removed;
         std::map<std::string_view, std::size_t> attributes;
+        std::size_t bytes = made.name.size();
         for (const Site& site : sites) {
             const UsdPrim& prim = prim_at(site);
             if (made.specifier == UsdSpecifier::over) made.specifier = prim.specifier;
             if (made.type.empty()) made.type = prim.type;
             if (!made.active) made.active = prim.active;
-            for (const std::string& schema : prim.schemas)
-                if (!removed.contains(schema)) made.schemas.push_back(schema);
             const std::vector<std::string>& less = composition_at(site).removed_schemas;
+            if (Result<void> looked = look(1 + prim.schemas.size() + less.size() + prim.attributes.size(), site);
+                !looked)
+                return pass_on(looked);
+            for (const std::string& schema : prim.schemas) {
+                if (removed.contains(schema)) continue;
+                bytes += sizeof(std::string) + schema.size();
+                made.schemas.push_back(schema);
+            }
             removed.insert(less.begin(), less.end());
             for (const UsdAttribute& attribute : prim.attributes) {
-                const bool says = attribute.value.is_set || attribute.value.is_blocked || !attribute.samples.empty();
-                const auto [at, is_new] = attributes.try_emplace(attribute.name, made.attributes.size());
+                const auto [at, is_new] = attributes.try_emplace(attribute.name, made.opinions.size());
                 if (is_new) {
-                    made.attributes.push_back(attribute);
-                } else {
-                    UsdAttribute& known = made.attributes[at->second];
-                    const bool is_said = known.value.is_set || known.value.is_blocked || !known.samples.empty();
-                    known.is_connected = known.is_connected || attribute.is_connected;
-                    if (is_said || !says) continue;
-                    const bool is_connected = known.is_connected;
-                    known = attribute;
-                    known.is_connected = is_connected;
+                    made.opinions.push_back({&attribute, site.times, attribute.is_connected});
+                    continue;
                 }
-                for (UsdSample& sample : made.attributes[at->second].samples)
-                    sample.time = site.times.offset + site.times.scale * sample.time;
+                UsdOpinion& known = made.opinions[at->second];
+                known.is_connected = known.is_connected || attribute.is_connected;
+                if (says(*known.said) || !says(attribute)) continue;
+                known.said = &attribute;
+                known.times = site.times;
             }
+            if (Result<void> kept = keep(std::exchange(bytes, 0), site); !kept) return pass_on(kept);
         }
+        made.opinions.shrink_to_fit();
+        bytes = made.type.size() + made.opinions.size() * sizeof(UsdOpinion);
+        if (Result<void> kept = keep(bytes, sites.front()); !kept) return pass_on(kept);
         return made;
     }
 
@@ -622,8 +806,14 @@ private:
     std::map<std::uint32_t, std::uint32_t> stack_by_layer_;
     std::map<std::pair<std::uint32_t, std::string>, std::vector<Site>> sites_by_path_;
     std::vector<std::pair<std::uint32_t, std::string>> active_;
-    std::set<std::string> said_;
+    // By the layer and the place in it.
+    std::map<std::pair<std::uint32_t, std::size_t>, std::optional<std::uint32_t>> layer_by_arc_; // nothing: missing
+    std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> file_by_arc_;
+    std::map<std::pair<int, std::string>, std::size_t> files_; // by archive and name
+    std::map<std::string_view, Said> said_;                    // by code
     std::size_t composed_sites_ = 0;
+    std::size_t looked_at_ = 0;
+    std::size_t kept_bytes_ = 0;
 };
 
 } // namespace

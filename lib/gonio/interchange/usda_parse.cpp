@@ -84,6 +84,12 @@ private:
     }
     Unexpected wrong(std::string message) { return wrong("SCN0102", token_.offset, std::move(message)); }
 
+    // Composition compares paths and keeps them often.
+    static constexpr std::size_t longest_path = 4096;
+    Unexpected too_long(std::size_t at) {
+        return wrong("SCN0108", at, fmt::format("a path of more than {} bytes", longest_path));
+    }
+
     void skip_blanks() {
         while (at_ < text_.size()) {
             const char c = text_[at_];
@@ -239,6 +245,8 @@ private:
             UsdValue said;
             const bool keep = name.is("metersPerUnit") || name.is("upAxis") || name.is("doc") || name.is("defaultPrim");
             if (Result<void> read = value(keep ? &said : nullptr); !read) return read;
+            if (name.is("defaultPrim") && !said.texts.empty() && said.texts[0].size() > longest_path)
+                return too_long(said.offset);
             if (name.is("defaultPrim") && !said.texts.empty()) layer_.default_prim = said.texts[0];
             if (name.is("metersPerUnit")) {
                 if (said.numbers.size() != 1 || !(said.numbers[0] > 0.0) || !(said.numbers[0] < 1e30))
@@ -274,11 +282,13 @@ private:
             arc.edit = edit;
             arc.at = token_.offset;
             if (token_.kind != Kind::asset && token_.kind != Kind::path) return wrong("an asset or a path is expected");
+            if (token_.text.size() > longest_path) return too_long(token_.offset);
             if (token_.kind == Kind::asset) {
                 arc.asset = token_.text;
                 if (Result<void> read = advance(); !read) return read;
             }
             if (token_.kind == Kind::path) {
+                if (token_.text.size() > longest_path) return too_long(token_.offset);
                 arc.path = token_.text;
                 if (Result<void> read = advance(); !read) return read;
             }
@@ -307,7 +317,7 @@ private:
             if (!keep) continue;
             if (said.numbers.size() != 1 || !(std::abs(said.numbers[0]) <= 1e100))
                 return wrong("SCN0105", name.offset, "the offset or scale of a layer must be a number");
-            (name.is("offset") ? arc.offset : arc.scale) = said.numbers[0];
+            (name.is("offset") ? arc.times.offset : arc.times.scale) = said.numbers[0];
         }
         return advance();
     }
@@ -339,9 +349,11 @@ private:
             const Token name = token_;
             if (Result<void> read = advance(); !read) return read;
             if (!token_.is('=')) {
-                edit = name.is("delete") || name.is("reorder")                     ? UsdListEdit::removes
-                       : name.is("prepend") || name.is("append") || name.is("add") ? UsdListEdit::adds
-                                                                                   : UsdListEdit::is_all;
+                edit = name.is("delete") || name.is("reorder") ? UsdListEdit::removes
+                       : name.is("prepend")                    ? UsdListEdit::prepends
+                       : name.is("append")                     ? UsdListEdit::appends
+                       : name.is("add")                        ? UsdListEdit::adds
+                                                               : UsdListEdit::is_all;
                 if (name.is("reorder")) reorders_ = true;
                 continue;
             }
@@ -537,16 +549,28 @@ private:
 
     Result<void> samples(UsdAttribute* into) {
         if (Result<void> read = expect('{'); !read) return read;
+        std::vector<UsdSample> all;
         while (!token_.is('}')) {
             if (token_.kind != Kind::number) return wrong("a time is expected");
+            if (!std::isfinite(token_.number))
+                return wrong("SCN0105", token_.offset,
+                             fmt::format("the time '{}' is not a finite number", token_.text.substr(0, 40)));
             UsdSample sample;
             sample.time = token_.number;
             if (Result<void> read = advance(); !read) return read;
             if (Result<void> read = expect(':'); !read) return read;
             if (Result<void> read = value(into != nullptr ? &sample.value : nullptr); !read) return read;
-            if (into != nullptr) into->samples.push_back(std::move(sample));
+            if (into != nullptr) all.push_back(std::move(sample));
             if (token_.is(','))
                 if (Result<void> read = advance(); !read) return read;
+        }
+        if (into != nullptr) {
+            std::stable_sort(all.begin(), all.end(),
+                             [](const UsdSample& a, const UsdSample& b) { return a.time < b.time; });
+            all.erase(std::unique(all.begin(), all.end(),
+                                  [](const UsdSample& a, const UsdSample& b) { return a.time == b.time; }),
+                      all.end());
+            into->samples = std::move(all);
         }
         return advance();
     }
@@ -562,10 +586,12 @@ private:
 
 } // namespace
 
-const UsdAttribute* UsdPrim::find(std::string_view wanted) const {
+std::optional<UsdOpinion> UsdPrim::find(std::string_view wanted) const {
     for (const UsdAttribute& attribute : attributes)
-        if (attribute.name == wanted) return &attribute;
-    return nullptr;
+        if (attribute.name == wanted) return UsdOpinion{&attribute, {}, attribute.is_connected};
+    for (const UsdOpinion& opinion : opinions)
+        if (opinion.said->name == wanted) return opinion;
+    return std::nullopt;
 }
 
 Result<UsdLayer> parse_usda(std::string_view text, const std::string& source) {

@@ -1,4 +1,6 @@
 // Composition of USD: which opinion holds, files that are missing or hostile, cycles, archives.
+#include <gonio/interchange/detail/usda.hpp>
+
 #include "../archives.hpp"
 #include "../luminaires.hpp"
 #include "scenes.hpp"
@@ -8,6 +10,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace gonio {
 
@@ -119,6 +123,34 @@ TEST(UsdComposition, ListsAreEdited) {
     EXPECT_TRUE(composed(layer("over \"x\" ( delete references = @lamps.usda@</a> ) { }", sub), files).lights.empty());
 }
 
+TEST(UsdComposition, ListsArePrependedAndAppended) {
+    // Both say how bright it is, the first of the list wins.
+    const Files files{
+        {"lamps.usda", layer(rect("a", 1) + rect("b", 2) + rect("c", 3))},
+        {"sub/weak.usda", layer("def \"x\" ( prepend references = @../lamps.usda@</a> ) { }")},
+        {"back.usda", layer("def \"x\" ( append references = [ @lamps.usda@</a>, @lamps.usda@</b> ] ) { }")}};
+    const auto over = [&](const std::string& below, const std::string& edits) {
+        return only(
+            composed(layer("over \"x\" ( " + edits + " ) { }", "    subLayers = [ @" + below + "@ ]\n"), files));
+    };
+    EXPECT_EQ(over("sub/weak.usda", "append references = @lamps.usda@</b>"), 1.0);
+    EXPECT_EQ(over("sub/weak.usda", "add references = @lamps.usda@</b>"), 1.0);
+    EXPECT_EQ(over("sub/weak.usda", "prepend references = @lamps.usda@</b>"), 2.0);
+    EXPECT_EQ(over("back.usda", ""), 1.0);
+    // What is listed already moves, but for what is added.
+    EXPECT_EQ(over("back.usda", "append references = @lamps.usda@</a>"), 2.0);
+    EXPECT_EQ(over("back.usda", "add references = @lamps.usda@</a>"), 1.0);
+    EXPECT_EQ(over("back.usda", "prepend references = @lamps.usda@</b>"), 2.0);
+    EXPECT_EQ(over("back.usda", "prepend references = [ @lamps.usda@</c>, @lamps.usda@</b> ]"), 3.0);
+    EXPECT_EQ(over("back.usda", "delete references = @lamps.usda@</a> append references = @lamps.usda@</c>"), 2.0);
+    EXPECT_EQ(over("back.usda", "references = @lamps.usda@</c>"), 3.0);
+    // The same file by another path.
+    EXPECT_TRUE(composed(layer("over \"x\" ( delete references = @lamps.usda@</a> ) { }",
+                               "    subLayers = [ @sub/weak.usda@ ]\n"),
+                         files)
+                    .lights.empty());
+}
+
 TEST(UsdComposition, InheritsVariantsSpecializes) {
     const std::string classes = "class \"_lamp\" { float inputs:intensity = 8 float inputs:height = 3 }\n";
     EXPECT_EQ(only(composed(layer(classes + "def RectLight \"a\" ( inherits = </_lamp> ) { }"))), 8.0);
@@ -174,6 +206,48 @@ TEST(UsdComposition, TimesAreThoseOfTheScene) {
     const Result<FoundScene> scene = read_scene_lights(text, "scene.usda", options);
     ASSERT_TRUE(scene.has_value());
     EXPECT_EQ(only(*scene), 6.0); // its time 5
+}
+
+TEST(UsdComposition, TimesBeyondNumbersAreRefused) {
+    const auto chain = [](const std::string& last) {
+        std::string text;
+        for (int i = 0; i < 4; ++i)
+            text += fmt::format("def \"s{}\" ( references = </s{}> (scale = 1e100) ) {{}}\n", i, i + 1);
+        return layer(text + "def RectLight \"s4\" { float inputs:intensity.timeSamples = { " + last + " } }\n");
+    };
+    EXPECT_EQ(code(chain("0: 5")), "SCN0105");
+    const std::string twice = "    subLayers = [ @a.usda@ (scale = 1e100) ]\n";
+    const Files files{{"a.usda", layer("", "    subLayers = [ @b.usda@ (scale = 1e100) ]\n")},
+                      {"b.usda", layer("", "    subLayers = [ @c.usda@ (scale = 1e100) ]\n")},
+                      {"c.usda", layer("", "    subLayers = [ @d.usda@ (scale = 1e100) ]\n")},
+                      {"d.usda", layer("")}};
+    EXPECT_EQ(code(layer("", twice), files), "SCN0105");
+    // Samples at times that are none of the scene, and all at once.
+    for (const std::string scale : {"1e100", "-1e100", "0"})
+        for (const double time : {-1e308, 0.0, 3.0, 1e308}) {
+            SceneReadOptions options;
+            options.time = time;
+            const Result<FoundScene> scene = read_scene_lights(
+                layer(
+                    "def \"a\" ( references = </b> (offset = -1e100; scale = " + scale +
+                    ") ) {}\nclass RectLight \"b\" { float inputs:intensity.timeSamples = { 1e308: 5, -1e308: 5 } }\n"),
+                "scene.usda", options);
+            ASSERT_TRUE(scene.has_value()) << scale;
+            ASSERT_EQ(scene->lights.size(), 2U);
+            EXPECT_EQ(number_of(scene->lights[0]), 5.0) << scale << " at " << time;
+        }
+}
+
+TEST(UsdComposition, WarningsAreCounted) {
+    std::string many;
+    for (int i = 0; i < 45; ++i)
+        many += fmt::format("def \"a{0}\" ( references = @gone{0}.usda@</a> ) {{ }}\n", i);
+    many += "def \"v\" { variantSet \"s\" = { \"x\" { } } }\n";
+    const FoundScene scene = composed(layer(many + rect("lamp", 2)));
+    ASSERT_EQ(scene.diagnostics.size(), 21U);
+    EXPECT_EQ(scene.diagnostics[19].code, "SCN0107");
+    EXPECT_TRUE(scene.diagnostics[19].message.ends_with(" (and 25 more)")) << scene.diagnostics[19].message;
+    EXPECT_EQ(scene.diagnostics[20].code, "SCN0201"); // those of other codes have their own count
 }
 
 TEST(UsdComposition, WhatIsMissingIsSaid) {
@@ -237,6 +311,88 @@ TEST(UsdComposition, BombsAreRefused) {
         all += fmt::format("def \"a{0}\" ( references = @l{0}.usda@</a> ) {{ }}\n", i);
     }
     EXPECT_EQ(code(layer(all), many), "SCN0108");
+}
+
+// Short files that name the same long list, chain or name again and again.
+TEST(UsdComposition, RepetitionIsSharedOrRefused) {
+    std::string references;
+    for (int i = 0; i < 3000; ++i)
+        references += fmt::format("def \"r{}\" ( references = </Q> ) {{}}\n", i);
+    // Values are shared.
+    Result<interchange_detail::UsdStage> stage = interchange_detail::compose_usd(
+        layer("class RectLight \"Q\" { float inputs:intensity = 4 }\n" + references), "scene.usda", {});
+    ASSERT_TRUE(stage.has_value());
+    ASSERT_EQ(stage->layer.prims.size(), 3001U);
+    const interchange_detail::UsdStage moved = std::move(*stage);
+    const auto first = moved.layer.prims[1].find("inputs:intensity");
+    const auto last = moved.layer.prims[3000].find("inputs:intensity");
+    ASSERT_TRUE(first && last);
+    EXPECT_EQ(first->said, last->said);
+    EXPECT_EQ(first->said->value.numbers, std::vector<double>{4.0});
+    // Names and lists that are copied.
+    const std::string longest(100000, 'n');
+    EXPECT_EQ(code(layer("class \"Q\" { def \"" + longest + "\" {} }\n" + references)), "SCN0108");
+    EXPECT_EQ(code(layer("class \"Q\" ( apiSchemas = [\"" + longest + "\"] ) {}\n" + references)), "SCN0108");
+    std::string schemas;
+    for (int i = 0; i < 50000; ++i)
+        schemas += fmt::format("\"{}\",", i);
+    EXPECT_EQ(code(layer("class \"Q\" ( apiSchemas = [" + schemas + "] ) {}\n" + references)), "SCN0108");
+    // Lists that are gone through.
+    std::string gone;
+    for (int i = 0; i < 30000; ++i)
+        gone += fmt::format("</g{}>,", i);
+    EXPECT_EQ(code(layer("class \"Q\" ( delete references = [" + gone + "] ) {}\n" + references)), "SCN0108");
+    // Each path is composed of 4096 prims, and is only referred to.
+    std::string chain;
+    for (int level = 0; level < 12; ++level)
+        chain += fmt::format("def \"d{0}\" ( references = [</d{1}>, </e{1}>] ) {{ }}\n"
+                             "def \"e{0}\" ( references = [</d{1}>, </e{1}>] ) {{ }}\n",
+                             level, level + 1);
+    chain += "def \"d12\" {} def \"e12\" {}\n";
+    std::string paths;
+    for (int i = 0; i < 700; ++i)
+        paths += fmt::format("def \"r{0}\" ( references = </p{0}/x> ) {{}}\n", i);
+    std::string middle;
+    for (int i = 0; i < 700; ++i)
+        middle += fmt::format("over \"p{}\" ( references = </d1> ) {{}}\n", i);
+    EXPECT_EQ(code(layer(paths + middle + chain)), "SCN0108");
+    // Paths.
+    std::string folders;
+    for (int i = 0; i < 3000; ++i)
+        folders += "a/";
+    EXPECT_EQ(code(layer("def \"a\" ( references = @" + folders + "b.usda@ ) {}\n")), "SCN0108");
+    EXPECT_EQ(code(layer("def \"a\" ( references = </" + folders + "b> ) {}\n")), "SCN0108");
+    EXPECT_EQ(code(layer("", "    defaultPrim = \"" + folders + "\"\n")), "SCN0108");
+}
+
+// Arcs of a variant do not replace those of another set.
+TEST(UsdComposition, SetsOfVariantsHaveTheirOwnArcs) {
+    const FoundScene scene = composed(layer("class \"one\" {\n" + rect("p", 1) + rect("both", 2) +
+                                            "}\nclass \"two\" {\n" + rect("q", 3) + rect("both", 4) + R"(}
+def "a" ( variants = { string s = "x" string t = "y" } ) {
+    variantSet "s" = { "x" ( append references = </one> ) { } }
+    variantSet "t" = { "y" ( references = </two> ) { } }
+}
+)"));
+    std::map<std::string, double> found;
+    for (const FoundLight& light : scene.lights)
+        if (light.place.starts_with("/a/")) found[light.place] = number_of(light);
+    EXPECT_EQ(found, (std::map<std::string, double>{{"/a/both", 2.0}, {"/a/p", 1.0}, {"/a/q", 3.0}}));
+}
+
+// One of thousands of variants, by its name.
+TEST(UsdComposition, ManyVariants) {
+    std::string sets;
+    for (int i = 0; i < 5000; ++i)
+        sets += fmt::format("\"v{0}\" {{ float inputs:intensity = {0} }}\n", i);
+    sets = "class RectLight \"Q\" { variantSet \"s\" = {\n" + sets + "} }\n";
+    for (int i = 0; i < 2000; ++i)
+        sets += fmt::format("def \"r{0}\" ( references = </Q> variants = {{ string s = \"v{0}\" }} ) {{}}\n", i);
+    const FoundScene scene = composed(layer(sets));
+    ASSERT_EQ(scene.lights.size(), 2001U);
+    EXPECT_EQ(number_of(scene.lights[1]), 0.0);
+    EXPECT_EQ(number_of(scene.lights[1778]), 1777.0);
+    EXPECT_EQ(scene.diagnostics.size(), 1U); // the class has no selection
 }
 
 TEST(UsdComposition, Archives) {

@@ -139,6 +139,21 @@ TEST(InterchangeUsd, ValuesAtATime) {
     EXPECT_EQ(untimed.diagnostics.size(), 1U); // its place changes too
 }
 
+// No sample is before or after such a time.
+TEST(InterchangeUsd, TimesAreFinite) {
+    for (const std::string time : {"1x", "-inf", "-nan", "1e999"})
+        EXPECT_EQ(
+            failure_of(usda("def RectLight \"a\" { float inputs:intensity.timeSamples = { " + time + ": 5 } }")).code,
+            "SCN0105")
+            << time;
+    // In any order, and the first of two at the same time.
+    SceneReadOptions options;
+    options.time = 1.5;
+    const FoundScene scene = scene_of(
+        usda("def RectLight \"a\" { float inputs:intensity.timeSamples = { 2: 7, 1: 5, 1: 9 } }"), options, "usd");
+    EXPECT_EQ(number_of(scene.lights.at(0)), 6.0);
+}
+
 TEST(InterchangeUsd, TransformationsOpsParentsAndResets) {
     const FoundScene scene = scene_of(usda(R"(def Xform "rig" {
         double3 xformOp:translate = (1, 2, 3)

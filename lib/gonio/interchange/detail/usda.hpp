@@ -38,17 +38,31 @@ struct UsdSample {
 enum class UsdBetween : std::uint8_t { held, linear, turned }; // the former; numbers on a line; quaternions on an arc
 
 struct UsdAttribute {
-    std::string name; // "inputs:intensity"
-    UsdValue value;   // the default
-    std::vector<UsdSample> samples;
+    std::string name;               // "inputs:intensity"
+    UsdValue value;                 // the default
+    std::vector<UsdSample> samples; // by time, each once
     UsdBetween between = UsdBetween::held;
     bool is_connected = false; // by .connect
+};
+
+// Times of a layer in those of the scene.
+struct UsdTimes {
+    double offset = 0.0; // behind the scale
+    double scale = 1.0;
+};
+
+// The strongest opinion about an attribute, which is in a layer of the stage: prims that are composed of the same ones
+// share their values.
+struct UsdOpinion {
+    const UsdAttribute* said = nullptr;
+    UsdTimes times;            // of its samples
+    bool is_connected = false; // by any layer
 };
 
 enum class UsdSpecifier : std::uint8_t { def, over, is_class };
 
 // How a list of metadata changes those of weaker layers.
-enum class UsdListEdit : std::uint8_t { is_all, adds, removes };
+enum class UsdListEdit : std::uint8_t { is_all, prepends, appends, adds, removes };
 
 enum class UsdArcKind : std::uint8_t { inherit, reference, payload, specialize, sublayer };
 
@@ -56,10 +70,9 @@ enum class UsdArcKind : std::uint8_t { inherit, reference, payload, specialize, 
 struct UsdArc {
     UsdArcKind kind = UsdArcKind::reference;
     UsdListEdit edit = UsdListEdit::is_all;
-    std::string asset;   // empty: the same layers
-    std::string path;    // empty: the default prim
-    double offset = 0.0; // of times, behind the scale
-    double scale = 1.0;
+    std::string asset; // empty: the same layers
+    std::string path;  // empty: the default prim
+    UsdTimes times;
     bool is_none = false; // an empty list
     std::size_t at = 0;   // in the text
 };
@@ -76,8 +89,9 @@ struct UsdPrim {
     bool is_variant = false;          // of its parent; the name is the variant's
     std::vector<std::string> schemas; // apiSchemas
     std::vector<UsdAttribute> attributes;
+    std::vector<UsdOpinion> opinions; // of a composed prim, which has no attributes of its own
 
-    const UsdAttribute* find(std::string_view wanted) const;
+    std::optional<UsdOpinion> find(std::string_view wanted) const;
 };
 
 // What a layer says about the composition of a prim.
@@ -114,7 +128,8 @@ struct UsdSource {
 
 // Prims of a scene with all that they are composed of.
 struct UsdStage {
-    UsdLayer layer; // the root layer's metadata, and the composed prims
+    UsdLayer layer;              // the root layer's metadata, and the composed prims
+    std::deque<UsdLayer> layers; // what composed prims share; empty where there is one layer without arcs
     std::deque<UsdSource> sources;
     std::deque<std::string> texts; // of layers, and bytes of archives
     std::deque<Archive> archives;
@@ -122,6 +137,9 @@ struct UsdStage {
 
     Location place(std::uint32_t source, std::size_t offset) { return sources[source].places.at(offset); }
 };
+
+// Whether a file may be a layer, by the end of its name.
+bool is_usd_name(std::string_view name);
 
 // The file that a layer names, relative to the scene's folder or in the archive: without "." and inner "..".
 std::string usd_file_name(const UsdSource& from, std::string_view asset);
