@@ -72,7 +72,8 @@ public:
 
     Result<std::vector<ArchiveEntry>> read() {
         const std::optional<std::size_t> end = find_end();
-        if (!end) return wrong("ARC0101", "the archive has no directory at its end: it is cut off, or is not a zip archive");
+        if (!end)
+            return wrong("ARC0101", "the archive has no directory at its end: it is cut off, or is not a zip archive");
         const std::string_view record = bytes_.substr(*end, end_size);
         if (number16(record, 4) != 0 || number16(record, 6) != 0 || number16(record, 8) != number16(record, 10))
             return wrong("ARC0106", "the archive is one of several parts");
@@ -152,8 +153,10 @@ private:
         if (entry.offset > begin_ || entry.packed > begin_ - entry.offset)
             return wrong("ARC0101", fmt::format("'{}' in the archive is cut off", name));
         if (bytes_.substr(head + local_size, own_name) != written || number16(bytes_, head + 8) != entry.method)
-            return wrong("ARC0101",
-                         fmt::format("'{}' has another name or method in its own head than in the directory of the archive", name));
+            return wrong(
+                "ARC0101",
+                fmt::format("'{}' has another name or method in its own head than in the directory of the archive",
+                            name));
         ranges_.emplace_back(head, entry.offset + entry.packed);
         if (!entry.name.ends_with('/')) entries_.push_back(std::move(entry));
         return at + directory_size + name_size + rest;
@@ -242,9 +245,9 @@ Result<Archive> Archive::open(std::string_view bytes, std::string source) {
     std::sort(names.begin(), names.end());
     for (std::size_t i = 1; i < names.size(); ++i)
         if (names[i].first == names[i - 1].first)
-            return archive_error(
-                "ARC0104", {archive.source_, 0, 0},
-                fmt::format("the archive has two files named '{}', in upper or lower case", shown_text(names[i].first)));
+            return archive_error("ARC0104", {archive.source_, 0, 0},
+                                 fmt::format("the archive has two files named '{}', in upper or lower case",
+                                             shown_text(names[i].first)));
     return archive;
 }
 
