@@ -53,6 +53,7 @@ std::size_t plain_character(std::string_view text) {
 std::string_view fault_of(std::string_view name) {
     if (name.empty()) return "is empty";
     if (name.size() > longest_archive_name) return "is longer than 1024 bytes";
+    static_assert(longest_archive_name == 1024);
     if (has_control_characters(name)) return "has control characters";
     if (name.front() == '/') return "is absolute";
     if (name.find(':') != std::string_view::npos) return "has a ':', as that of a drive or a stream";

@@ -481,12 +481,17 @@ struct LightAt {
     std::optional<std::size_t> file;
 };
 
+// Each emitter's once, however often a variant has it.
 std::vector<LightAt> lights_of(const Gldf& gldf, const std::vector<std::size_t>& emitters) {
     std::vector<LightAt> lights;
-    for (const std::size_t emitter : emitters)
+    std::vector<bool> is_seen(gldf.emitters.size());
+    for (const std::size_t emitter : emitters) {
+        if (is_seen[emitter]) continue;
+        is_seen[emitter] = true;
         for (const GldfLight& light : gldf.emitters[emitter].lights)
             lights.push_back(
                 {emitter, light.photometry ? gldf.photometries[*light.photometry].file : std::optional<std::size_t>()});
+    }
     return lights;
 }
 
@@ -606,7 +611,7 @@ Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& sour
             if (photometry.file) files.insert(*photometry.file);
     if (files.size() > 1)
         profile.diagnostics.push_back(one_of_several(
-            source, fmt::format("'{}' is taken of {} photometric files{}", shown(file.entry), files.size(), of)));
+            source, fmt::format("'{}' is taken, one of {} photometric files{}", shown(file.entry), files.size(), of)));
     return profile;
 }
 
