@@ -51,7 +51,8 @@ struct Geometry {
     std::optional<glm::dmat4> matrix; // nothing: wrong
     std::optional<Zoom> zoom;         // of its own name
     std::unique_ptr<const Beam> beam;
-    std::optional<std::string_view> target; // of a reference
+    std::optional<std::string_view> target; // name of what a reference stands for
+    const Geometry* found = nullptr;        // that geometry, once it is looked for
     std::vector<std::size_t> children;      // with names
 };
 
@@ -76,7 +77,7 @@ public:
         const std::string_view wanted = mode->attribute("Geometry").value();
         const pugi::xml_node first = geometries.first_child(); // without a mode
         const std::string_view top = wanted.empty() && first ? first.attribute("Name").value() : wanted;
-        const Geometry* const geometry = found(top);
+        Geometry* const geometry = found(top);
         if (geometry == nullptr)
             return scene_error("SCN0103", xml_.place(*mode ? *mode : fixture),
                                fmt::format("there is no geometry '{}'", shown_text(top)));
@@ -85,7 +86,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_attributes = 100; // of an element; GDTF has 14
+    static constexpr std::size_t most_attributes = 100; // of an element; those of GDTF have some 20 at most
     static constexpr std::size_t longest_name = 400;    // bytes
 
     struct Named {
@@ -113,7 +114,7 @@ private:
     }
 
     // A geometry that is in no other; null if there is none.
-    const Geometry* found(std::string_view name) {
+    Geometry* found(std::string_view name) {
         const auto at = by_name_.find(name);
         if (at == by_name_.end()) return nullptr;
         if (!at->second.index) at->second.index = geometry_of(at->second.node);
@@ -185,8 +186,7 @@ private:
         at->second.most = std::max({at->second.most, *a, *b});
     }
 
-    // "{1,0,0,0}{0,1,0,0}{0,0,1,0}{0,0,0,1}": rows, the place in the last column. Nothing for any
-    // other text.
+    // "{1,0,0,0}{0,1,0,0}{0,0,1,0}{0,0,0,1}": rows, the place in the last column. Nothing for any other text.
     static std::optional<glm::dmat4> matrix_of(pugi::xml_node node) {
         glm::dmat4 matrix(1.0);
         const pugi::xml_attribute position = node.attribute("Position");
@@ -204,7 +204,7 @@ private:
     }
 
     // A geometry with what is below it, and what references stand for. NOLINTNEXTLINE(misc-no-recursion): scene-depth
-    Result<void> walk(const Geometry& geometry, const glm::dmat4& above, std::optional<Zoom> zoom) {
+    Result<void> walk(Geometry& geometry, const glm::dmat4& above, std::optional<Zoom> zoom) {
         if (path_.size() > limit("scene-depth").value)
             return scene_error(
                 "SCN0108", xml_.place(geometry.node),
@@ -220,12 +220,12 @@ private:
         if (geometry.zoom) zoom = geometry.zoom;
         if (geometry.beam) add_beam(*geometry.beam, world, zoom);
         if (geometry.target) {
-            const Geometry* const target = found(*geometry.target);
+            if (geometry.found == nullptr) geometry.found = found(*geometry.target);
+            const Geometry* const target = geometry.found;
             if (target == nullptr)
                 return scene_error("SCN0103", xml_.place(geometry.node),
                                    fmt::format("there is no geometry '{}'", shown_text(*geometry.target)));
-            // Channels name the reference, or what stands for it. That is placed by the reference, not by its own
-            // place.
+            // Channels name the reference, or what stands for it. The reference places it, not its own place.
             const std::optional<Zoom> inside = target->zoom ? target->zoom : zoom;
             for (const std::size_t child : target->children)
                 if (Result<void> done = walk(geometries_[child], world, inside); !done) return done;
