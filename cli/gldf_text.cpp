@@ -1,6 +1,6 @@
 #include "gldf_text.hpp"
 
-#include <gonio/base/text.hpp>
+#include <gonio/base/archive.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include <fmt/format.h>
@@ -15,11 +15,7 @@ namespace {
 
 // For terminals, and in one line.
 std::string plain(std::string_view text) {
-    std::string made(text);
-    if (has_control_characters(made))
-        for (char& c : made)
-            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
-    return made;
+    return shown_text(text, longest_archive_name);
 }
 
 std::string line(std::string_view name, const std::string& value) {

@@ -67,9 +67,9 @@ Checked unreadable(const Error& error) {
 // Most files that strict reading refuses can still be read; only a file that lenient reading refuses is unreadable.
 // `flux_lm`: the light of a readable file, if it is wanted.
 Checked check(const std::string& bytes, const std::string& file, const ProfileInputOptions& options,
-              double* flux_lm = nullptr) {
+              ReadBeside read_beside, double* flux_lm = nullptr) {
     ReadOptions read = options.read;
-    if (file != "-") read.read_beside = reader_beside(file);
+    read.read_beside = std::move(read_beside);
     read.strict = false;
     Result<Profile> profile = read_profile(bytes, file, read);
     if (!profile) return unreadable(profile.error());
@@ -91,8 +91,17 @@ Checked check(const std::string& bytes, const std::string& file, const ProfileIn
     return checked;
 }
 
-Error no_photometry(const std::string& name) {
-    return error_at("INP0101", {name, 0, 0}, "it is an archive itself, or too large");
+// A photometric file of an archive.
+Checked check_entry(const Archive& archive, const ArchiveEntry& entry, const ProfileInputOptions& options,
+                    double* flux_lm) {
+    const std::string name = archive.name_of(entry);
+    if (entry.size > limit("profile-bytes").value)
+        return unreadable(
+            error_at("FIL0104", {name, 0, 0}, fmt::format("larger than {}", to_text(limit("profile-bytes")))));
+    const Result<std::string> bytes = archive.read(entry);
+    if (!bytes) return unreadable(bytes.error());
+    if (is_archive(*bytes)) return unreadable(error_at("INP0101", {name, 0, 0}, "it is an archive itself"));
+    return check(*bytes, name, options, reader_in(archive, entry.name), flux_lm);
 }
 
 // The document and every photometry in it, as strictly as a profile.
@@ -107,18 +116,16 @@ Checked check_gldf(const std::string& bytes, const std::string& file, const Prof
     }
     const Result<Archive> archive = Archive::open(bytes, file);
     if (!archive) return unreadable(archive.error());
-    std::map<std::size_t, double> fluxes; // of files that can be read
-    for (std::size_t i = 0; i < gldf->files.size(); ++i) {
-        const GldfFile& one = gldf->files[i];
+    std::map<std::string, std::optional<double>> fluxes; // of entries, if they can be read
+    for (const GldfFile& one : gldf->files) {
         if (one.entry.empty() || !one.content_type.starts_with("ldc")) continue;
-        const std::string name = file + "/" + one.entry;
-        Result<std::string> inside = archive->read(*archive->find(one.entry));
-        Checked of = !inside                                         ? unreadable(inside.error())
-                     : is_archive(*inside)                           ? unreadable(no_photometry(name))
-                     : inside->size() > limit("profile-bytes").value ? unreadable(no_photometry(name))
-                                                                     : check(*inside, name, options, &fluxes[i]);
-        if (!of.readable) {
-            fluxes.erase(i);
+        const auto [at, is_new] = fluxes.try_emplace(one.entry);
+        if (!is_new) continue;
+        double flux_lm = 0.0;
+        Checked of = check_entry(*archive, *archive->find(one.entry), options, &flux_lm);
+        if (of.readable) {
+            at->second = flux_lm;
+        } else {
             Diagnostic said = of.diagnostics.empty() ? Diagnostic{} : of.diagnostics.back();
             const ArchiveCode code = "GLD0211";
             said.code = code->code;
@@ -134,18 +141,18 @@ Checked check_gldf(const std::string& bytes, const std::string& file, const Prof
         for (const GldfLight& light : emitter.lights) {
             if (!light.flux_lm || light.kind == "changeable" || !light.photometry) continue;
             const std::optional<std::size_t> of = gldf->photometries[*light.photometry].file;
-            const auto found = of ? fluxes.find(*of) : fluxes.end();
+            const auto found = of ? fluxes.find(gldf->files[*of].entry) : fluxes.end();
+            if (found == fluxes.end() || !found->second) continue;
+            const double flux_lm = *found->second;
             constexpr double tolerance = 0.01;
-            if (found == fluxes.end() ||
-                std::abs(found->second - *light.flux_lm) <= tolerance * std::max(found->second, *light.flux_lm))
-                continue;
+            if (std::abs(flux_lm - *light.flux_lm) <= tolerance * std::max(flux_lm, *light.flux_lm)) continue;
             if (++off > most) continue;
             const ArchiveCode code = "GLD0208";
             checked.diagnostics.push_back({std::string(code->code),
                                            code->severity,
                                            light.location,
                                            fmt::format("the emitter states {} lm, and its photometry has {} lm",
-                                                       rounded(*light.flux_lm), rounded(found->second)),
+                                                       rounded(*light.flux_lm), rounded(flux_lm)),
                                            {}});
         }
     if (off > most) checked.diagnostics.back().message += fmt::format(" (and {} emitters more)", off - most);
@@ -196,7 +203,9 @@ int run(const Arguments& arguments, Console& console) {
             outcome.error = std::move(bytes.error());
             return outcome;
         }
-        Checked checked = is_archive(*bytes) ? check_gldf(*bytes, file, *options) : check(*bytes, file, *options);
+        Checked checked = is_archive(*bytes)
+                              ? check_gldf(*bytes, file, *options)
+                              : check(*bytes, file, *options, file == "-" ? ReadBeside() : reader_beside(file));
         count(checked, options->read.strict);
         (checked.diagnostics.empty() ? clean
          : !checked.readable         ? not_read

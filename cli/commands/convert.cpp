@@ -1,5 +1,6 @@
 #include <gonio/base/archive.hpp>
 #include <gonio/base/codes/archive.hpp>
+#include <gonio/base/codes/web.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/path.hpp>
@@ -8,6 +9,7 @@
 #include <gonio/light/profile_facts.hpp>
 #include <gonio/profile/gldf.hpp>
 #include <gonio/profile/text_encoding.hpp>
+#include <gonio/profile/write.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/symmetry.hpp>
 #include <gonio/web/to_profile.hpp>
@@ -18,6 +20,7 @@
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/profile_output.hpp"
@@ -27,6 +30,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -86,6 +90,15 @@ Result<MadeProfile> convert_web(const LoadedProfile& loaded, const Request& requ
                       header_of(loaded.profile, request.input.resolve), request.target);
 }
 
+Diagnostic remark_of(const DiagnosticCode& code, const std::string& source, std::string message) {
+    Diagnostic said;
+    said.code = code.code;
+    said.severity = code.severity;
+    said.location = {source, 0, 0};
+    said.message = std::move(message);
+    return said;
+}
+
 // What a GLDF says about the profile in it. What the profile does not state is said to be missing.
 GldfProduct product_of(const LoadedProfile& loaded, const ProfileInputOptions& input, Diagnostics& diagnostics) {
     const ProfileHeader header = header_of(loaded.profile, input.resolve);
@@ -110,12 +123,8 @@ GldfProduct product_of(const LoadedProfile& loaded, const ProfileInputOptions& i
         if (text->empty()) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", what);
     if (!missing.empty()) {
         const ArchiveCode code = "GLD0301";
-        Diagnostic said;
-        said.code = code->code;
-        said.severity = code->severity;
-        said.location = {loaded.profile.source, 0, 0};
-        said.message = fmt::format("the profile states no {}: '-' is written", missing);
-        diagnostics.push_back(std::move(said));
+        diagnostics.push_back(
+            remark_of(*code, loaded.profile.source, fmt::format("the profile states no {}: '-' is written", missing)));
     }
     return product;
 }
@@ -134,6 +143,17 @@ Result<Converted> convert_to_gldf(const Job& job, const Request& request) {
     }
     Converted converted;
     converted.diagnostics = std::move(loaded->diagnostics);
+    // A GLDF has one photometric file for a light: what stands beside it would be lost.
+    if (const auto* const ies = std::get_if<IesFile>(&loaded->profile.file);
+        ies != nullptr && !ies->tilt.factors.empty() && ies->tilt_keyword != "INCLUDE") {
+        const WebCode code = "WEB0217";
+        converted.diagnostics.push_back(remark_of(
+            *code, loaded->profile.source,
+            fmt::format("the factors of TILT={} are written as TILT=INCLUDE", shown_text(ies->tilt_keyword))));
+        IesFile with_factors = *ies;
+        with_factors.tilt_keyword = "INCLUDE";
+        inside = write_ies(with_factors);
+    }
     GldfProduct product = product_of(*loaded, input, converted.diagnostics);
     const std::string_view ending = std::holds_alternative<IesFile>(loaded->profile.file)   ? "ies"
                                     : std::holds_alternative<LdtFile>(loaded->profile.file) ? "ldt"
@@ -237,8 +257,11 @@ Result<std::optional<double>> compact_tolerance(const Arguments& arguments) {
 // The photometric files and spectra of a GLDF, unchanged: all of them or none.
 Result<int> extract(const Arguments& arguments, const std::vector<std::string>& inputs, Console& console) {
     for (const std::string_view option :
-         {"--to", "--dialect", "--compact", "--smooth", "--output", "--update", "--mirror", "--variant", "--emitter"})
-        if (arguments.has(option)) return fail("USE0107", fmt::format("--extract and {} are both given", option));
+         {"--to", "--dialect", "--compact", "--smooth", "--output", "--update", "--mirror", "--variant", "--emitter",
+          "--from", "--lamp-set", "--tilt", "--azimuth", "--as-candela", "--json", "--jsonl", "--jobs"})
+        if (arguments.has(option))
+            return fail("USE0107", fmt::format("--extract and {} are both given", option),
+                        "--extract writes the files as they are");
     const auto folder = arguments.value("--output-dir");
     if (!folder) return fail("USE0104", "--extract needs -O DIR", "-O . is the current folder");
     if (inputs.size() != 1) return fail("USE0107", "--extract takes one GLDF", "run it once for each");
@@ -248,31 +271,41 @@ Result<int> extract(const Arguments& arguments, const std::vector<std::string>& 
     const Result<std::string> bytes =
         input == "-" ? read_standard_input(limit("archive-bytes")) : read_file(input, limit("archive-bytes"));
     if (!bytes) return Unexpected(bytes.error());
-    const Result<Gldf> gldf = read_gldf(*bytes, input);
+    const Result<Gldf> gldf = read_gldf(*bytes, input, arguments.has("--strict"));
     if (!gldf) return Unexpected(gldf.error());
     const Result<Archive> archive = Archive::open(*bytes, input);
     if (!archive) return Unexpected(archive.error());
     std::vector<OutputFile> files;
+    std::vector<std::string> outputs;
+    std::set<std::string> entries; // each once, whatever identifiers name it
     std::set<std::string> names;
+    std::map<std::string, std::size_t> numbers; // the last one, by a name that was taken
     std::string said;
     for (const GldfFile& file : gldf->files) {
         if (file.entry.empty() || !(file.content_type.starts_with("ldc") || file.content_type.starts_with("spectrum")))
             continue;
+        if (!entries.insert(file.entry).second) continue;
         std::string name = file_name(file.entry);
         if (!names.insert(to_lower(name)).second) {
             name = file.entry;
             std::replace(name.begin(), name.end(), '/', '.');
-            if (!names.insert(to_lower(name)).second) continue; // the same file by another identifier
+            const std::string taken = name;
+            const std::string ending(extension_of(taken));
+            for (std::size_t& number = numbers.try_emplace(to_lower(taken), 1).first->second;
+                 !names.insert(to_lower(name)).second;)
+                name = fmt::format("{}-{}{}{}", without_extension(taken), ++number, ending.empty() ? "" : ".", ending);
         }
         const std::string output = *folder + "/" + name;
         if (file_exists(output) && !arguments.has("--overwrite"))
             return fail("USE0108", fmt::format("'{}' exists", output), "add --overwrite");
         Result<std::string> inside = archive->read(*archive->find(file.entry));
         if (!inside) return pass_on(inside);
+        outputs.push_back(output);
         files.push_back({output, std::move(*inside)});
         said += fmt::format("{}/{} -> {}\n", input, file.entry, output);
     }
     if (files.empty()) return fail("INP0101", "the GLDF has no photometric file and no spectrum", {}, input);
+    if (Result<void> free = check_outputs(inputs, outputs); !free) return pass_on(free);
     if (!arguments.has("--dry-run"))
         if (Result<void> written = write_outputs(files); !written) return pass_on(written);
     console.print(said);

@@ -33,18 +33,27 @@ std::uint32_t number32(std::string_view bytes, std::size_t at) {
     return number16(bytes, at) | number16(bytes, at + 2) << 16U;
 }
 
-// For messages: short, and without characters that a terminal might take as a command.
-std::string shown(std::string_view name) {
-    constexpr std::size_t longest = 80;
-    std::string text(name.substr(0, longest));
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
-    return text;
+// How many bytes of a text are its first character, if it begins with one of UTF-8 that a terminal only shows; else 0.
+std::size_t plain_character(std::string_view text) {
+    const auto byte = [&](std::size_t at) -> unsigned {
+        return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+    };
+    if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7f ? 0 : 1;
+    const std::size_t size = byte(0) < 0xc2 ? 0 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : byte(0) < 0xf5 ? 4 : 0;
+    for (std::size_t i = 1; i < size; ++i)
+        if ((byte(i) & 0xc0U) != 0x80U) return 0;
+    const unsigned second = byte(1);
+    const bool is_control = byte(0) == 0xc2 && second < 0xa0;
+    const bool is_wrong = (byte(0) == 0xe0 && second < 0xa0) || (byte(0) == 0xed && second >= 0xa0) ||
+                          (byte(0) == 0xf0 && second < 0x90) || (byte(0) == 0xf4 && second >= 0x90);
+    return is_control || is_wrong ? 0 : size;
 }
 
 // Why no file may have that name; empty if it may. Some programs write '\' between folders.
 std::string_view fault_of(std::string_view name) {
     if (name.empty()) return "is empty";
+    if (name.size() > longest_archive_name) return "is longer than 1024 bytes";
+    static_assert(longest_archive_name == 1024);
     if (has_control_characters(name)) return "has control characters";
     if (name.front() == '/') return "is absolute";
     if (name.find(':') != std::string_view::npos) return "has a ':', as that of a drive or a stream";
@@ -64,7 +73,8 @@ public:
 
     Result<std::vector<ArchiveEntry>> read() {
         const std::optional<std::size_t> end = find_end();
-        if (!end) return wrong("ARC0101", "the archive has no directory at its end: it is cut off, or no zip archive");
+        if (!end)
+            return wrong("ARC0101", "the archive has no directory at its end: it is cut off, or is not a zip archive");
         const std::string_view record = bytes_.substr(*end, end_size);
         if (number16(record, 4) != 0 || number16(record, 6) != 0 || number16(record, 8) != number16(record, 10))
             return wrong("ARC0106", "the archive is one of several parts");
@@ -125,7 +135,7 @@ private:
         entry.packed = number32(bytes_, at + 20);
         entry.size = number32(bytes_, at + 24);
         const std::size_t head = number32(bytes_, at + 42);
-        const std::string name = shown(written);
+        const std::string name = shown_text(written);
         if (const std::string_view fault = fault_of(entry.name); !fault.empty())
             return wrong("ARC0103", fmt::format("the name '{}' in the archive {}", name, fault));
         constexpr std::uint32_t encrypted = 0x2041; // encryption, strong encryption, masked heads
@@ -144,8 +154,10 @@ private:
         if (entry.offset > begin_ || entry.packed > begin_ - entry.offset)
             return wrong("ARC0101", fmt::format("'{}' in the archive is cut off", name));
         if (bytes_.substr(head + local_size, own_name) != written || number16(bytes_, head + 8) != entry.method)
-            return wrong("ARC0101",
-                         fmt::format("'{}' calls itself something else than the directory of the archive", name));
+            return wrong(
+                "ARC0101",
+                fmt::format("'{}' has another name or method in its own head than in the directory of the archive",
+                            name));
         ranges_.emplace_back(head, entry.offset + entry.packed);
         if (!entry.name.ends_with('/')) entries_.push_back(std::move(entry));
         return at + directory_size + name_size + rest;
@@ -198,6 +210,24 @@ void append32(std::string& bytes, std::size_t number) {
 
 } // namespace
 
+std::string_view cut_text(std::string_view text, std::size_t longest) {
+    if (text.size() <= longest) return text;
+    std::size_t end = longest;
+    while (end > 0 && longest - end < 3 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U)
+        --end;
+    return text.substr(0, end);
+}
+
+std::string shown_text(std::string_view text, std::size_t longest) {
+    std::string plain;
+    for (std::string_view rest = cut_text(text, longest); !rest.empty();) {
+        const std::size_t size = plain_character(rest);
+        size == 0 ? plain += '?' : plain += rest.substr(0, size);
+        rest.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return plain;
+}
+
 bool is_archive(std::string_view bytes) {
     return bytes.starts_with(local_mark) || bytes.starts_with(end_mark);
 }
@@ -209,28 +239,26 @@ Result<Archive> Archive::open(std::string_view bytes, std::string source) {
     Result<std::vector<ArchiveEntry>> entries = ArchiveReader(bytes, archive.source_).read();
     if (!entries) return pass_on(entries);
     archive.entries_ = std::move(*entries);
-    std::vector<std::pair<std::string, std::size_t>> names;
+    std::vector<std::pair<std::string, std::size_t>>& names = archive.by_name_;
     names.reserve(archive.entries_.size());
     for (std::size_t i = 0; i < archive.entries_.size(); ++i)
         names.emplace_back(to_lower(archive.entries_[i].name), i);
     std::sort(names.begin(), names.end());
     for (std::size_t i = 1; i < names.size(); ++i)
         if (names[i].first == names[i - 1].first)
-            return archive_error(
-                "ARC0104", {archive.source_, 0, 0},
-                fmt::format("the archive has two files named '{}', in upper or lower case", shown(names[i].first)));
-    for (const auto& [name, index] : names)
-        archive.by_name_.push_back(index);
+            return archive_error("ARC0104", {archive.source_, 0, 0},
+                                 fmt::format("the archive has two files named '{}', in upper or lower case",
+                                             shown_text(names[i].first)));
     return archive;
 }
 
 const ArchiveEntry* Archive::find(std::string_view name) const {
+    if (name.size() > longest_archive_name) return nullptr;
     const std::string wanted = to_lower(name);
-    const auto found =
-        std::lower_bound(by_name_.begin(), by_name_.end(), wanted,
-                         [&](std::size_t a, const std::string& b) { return to_lower(entries_[a].name) < b; });
-    if (found == by_name_.end() || !equals_any_case(entries_[*found].name, name)) return nullptr;
-    return &entries_[*found];
+    const auto found = std::lower_bound(by_name_.begin(), by_name_.end(), wanted,
+                                        [](const auto& a, const std::string& b) { return a.first < b; });
+    if (found == by_name_.end() || found->first != wanted) return nullptr;
+    return &entries_[found->second];
 }
 
 Result<std::string> Archive::read(const ArchiveEntry& entry) const {

@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -26,6 +27,15 @@ struct ArchiveEntry {
     std::uint16_t method = 0; // 0 stored, 8 deflated
     std::uint32_t checksum = 0;
 };
+
+// The greatest length of a name in an archive.
+inline constexpr std::size_t longest_archive_name = 1024;
+
+// The beginning of a text: at most that many bytes, and no part of a character of UTF-8 at the end.
+std::string_view cut_text(std::string_view text, std::size_t longest);
+
+// The same for messages: '?' stands for characters that a terminal might take as a command and for what is not UTF-8.
+std::string shown_text(std::string_view text, std::size_t longest = 80);
 
 // Whether the bytes begin as a zip archive does.
 bool is_archive(std::string_view bytes);
@@ -52,7 +62,7 @@ private:
     std::string_view bytes_;
     std::string source_;
     std::vector<ArchiveEntry> entries_;
-    std::vector<std::size_t> by_name_; // indices, by the name in lower case
+    std::vector<std::pair<std::string, std::size_t>> by_name_; // names in lower case, in order, and their entries
 };
 
 // A file to put into an archive.

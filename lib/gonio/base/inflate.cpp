@@ -149,7 +149,10 @@ public:
         for (bool is_last = false; !is_last;) {
             is_last = bits_.take(1) != 0;
             const std::uint32_t kind = bits_.take(2);
-            if (kind == 0 ? !stored() : kind == 1 ? !fixed() : kind != 2 || !dynamic()) return std::nullopt;
+            const std::size_t before = out_.size();
+            if (kind == 0 ? !stored() : kind == 1 ? !symbols(fixed()) : kind != 2 || !dynamic()) return std::nullopt;
+            // Of ten bits each, blocks that hold nothing would cost far more time than their bytes should.
+            if (out_.size() == before && ++empty_ > most_empty + size_ / 16) return std::nullopt;
             if (bits_.is_past_end()) return std::nullopt;
         }
         if (!bits_.is_at_end() || out_.size() != size_) return std::nullopt;
@@ -157,6 +160,12 @@ public:
     }
 
 private:
+    struct Codes {
+        Code literals;
+        Code distances;
+    };
+    static constexpr std::size_t most_empty = 1000; // blocks; programs write a few when they flush
+
     bool stored() {
         const std::string_view head = bits_.take_bytes(4);
         if (head.size() != 4) return false;
@@ -171,13 +180,20 @@ private:
         return bytes.size() == count;
     }
 
-    bool fixed() {
-        std::array<std::uint8_t, 288> lengths{};
-        for (std::size_t i = 0; i < lengths.size(); ++i)
-            lengths[i] = i < 144 ? 8 : i < 256 ? 9 : i < 280 ? 7 : 8;
-        std::array<std::uint8_t, 32> distances{};
-        distances.fill(5);
-        return literals_.build(lengths) && distances_.build(distances) && symbols();
+    // Those of the format itself, built once.
+    static const Codes& fixed() {
+        static const Codes codes = [] {
+            std::array<std::uint8_t, 288> lengths{};
+            for (std::size_t i = 0; i < lengths.size(); ++i)
+                lengths[i] = i < 144 ? 8 : i < 256 ? 9 : i < 280 ? 7 : 8;
+            std::array<std::uint8_t, 32> distances{};
+            distances.fill(5);
+            Codes made;
+            made.literals.build(lengths);
+            made.distances.build(distances);
+            return made;
+        }();
+        return codes;
     }
 
     bool dynamic() {
@@ -189,7 +205,7 @@ private:
         std::array<std::uint8_t, 19> of_lengths{};
         for (std::size_t i = 0; i < codes; ++i)
             of_lengths[order[i]] = static_cast<std::uint8_t>(bits_.take(3));
-        Code& code = literals_; // until the lengths are read
+        Code& code = codes_.literals; // until the lengths are read
         if (!code.build(of_lengths)) return false;
         std::array<std::uint8_t, 286 + 30> lengths{};
         for (std::size_t at = 0; at < literals + distances;) {
@@ -210,14 +226,14 @@ private:
         }
         constexpr std::size_t end_of_block = 256;
         const std::span<const std::uint8_t> all(lengths);
-        return lengths[end_of_block] != 0 && literals_.build(all.first(literals)) &&
-               distances_.build(all.subspan(literals, distances)) && symbols();
+        return lengths[end_of_block] != 0 && codes_.literals.build(all.first(literals)) &&
+               codes_.distances.build(all.subspan(literals, distances)) && symbols(codes_);
     }
 
     // Bytes and repetitions, to the end of the block.
-    bool symbols() {
+    bool symbols(const Codes& codes) {
         while (true) {
-            const std::optional<std::uint32_t> symbol = literals_.take(bits_);
+            const std::optional<std::uint32_t> symbol = codes.literals.take(bits_);
             if (!symbol || bits_.is_past_end()) return false;
             if (*symbol == 256) return true;
             if (*symbol < 256) {
@@ -228,7 +244,7 @@ private:
             if (*symbol - 257 >= lengths_of.size()) return false;
             const Extra by = lengths_of[*symbol - 257];
             const std::size_t length = by.base + bits_.take(by.bits);
-            const std::optional<std::uint32_t> back = distances_.take(bits_);
+            const std::optional<std::uint32_t> back = codes.distances.take(bits_);
             if (!back || *back >= distances_of.size()) return false;
             const Extra from = distances_of[*back];
             const std::size_t distance = from.base + bits_.take(from.bits);
@@ -245,8 +261,8 @@ private:
     Bits bits_;
     std::size_t size_;
     std::string out_;
-    Code literals_;
-    Code distances_;
+    Codes codes_; // of a block that brings its own
+    std::size_t empty_ = 0;
 };
 
 constexpr std::array<std::uint32_t, 256> make_crc_table() {

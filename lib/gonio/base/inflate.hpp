@@ -12,8 +12,9 @@
 
 namespace gonio {
 
-// The bytes that `packed` unpacks to; nothing if it breaks the format, ends early, has bytes behind its end, or unpacks
-// to any other number of bytes than `size`. Memory grows with the bytes that are there, never beyond `size`.
+// The bytes that `packed` unpacks to; nothing if it breaks the format, ends early, has bytes behind its end,
+// unpacks to any other number of bytes than `size`, or has more empty blocks than size / 16 + 1000. Memory grows with
+// the bytes that are there, never beyond `size`.
 std::optional<std::string> inflate(std::string_view packed, std::size_t size);
 
 // CRC-32 as in zip and gzip.

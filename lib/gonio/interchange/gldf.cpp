@@ -12,6 +12,7 @@
 #include <gonio/interchange/detail/reading.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/profile/gldf.hpp>
+#include <gonio/profile/write.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/resolve.hpp>
 
@@ -20,11 +21,21 @@
 
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace gonio::interchange_detail {
 
 namespace {
+
+// LM-63 with the factors of TILT that another file has, which is not where this one goes; nothing if it needs none.
+std::optional<std::string> tilt_included(const Profile& profile) {
+    const auto* const ies = std::get_if<IesFile>(&profile.file);
+    if (ies == nullptr || ies->tilt.factors.empty() || ies->tilt_keyword == "INCLUDE") return std::nullopt;
+    IesFile made = *ies;
+    made.tilt_keyword = "INCLUDE";
+    return write_ies(made);
+}
 
 // A photometric file of the archive, measured.
 struct Measured {
@@ -65,41 +76,41 @@ public:
 
 private:
     Result<std::vector<std::size_t>> emitters_of_variant() {
-        std::vector<std::string_view> names;
-        for (const GldfVariant& variant : gldf_.variants)
-            names.push_back(variant.id);
-        if (!options_.variant.empty()) {
-            for (const GldfVariant& variant : gldf_.variants)
-                if (variant.id == options_.variant || variant.name == options_.variant) return variant.emitters;
-            return unknown_name("variant", options_.variant, names);
-        }
-        std::vector<std::size_t> all;
-        for (std::size_t i = 0; i < gldf_.emitters.size(); ++i)
-            all.push_back(i);
+        const Result<const GldfVariant*> variant = choose_variant(gldf_, options_.variant);
+        if (!variant) return Unexpected(variant.error());
+        if (!options_.variant.empty()) return (*variant)->emitters;
+        std::vector<std::size_t> all(gldf_.emitters.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
         if (gldf_.variants.empty()) return all;
         const GldfVariant& first = gldf_.variants.front();
         if (gldf_.variants.size() > 1)
             warn(scene_, "SCN0201", first.location,
-                 fmt::format("variant '{}' is taken, the first of {}", first.id.substr(0, 60), gldf_.variants.size()),
+                 fmt::format("variant '{}' is taken, the first of {}", shown_text(first.id, 60), gldf_.variants.size()),
                  "--variant names another");
         return first.emitters;
     }
 
     const Measured& measured(std::size_t file) {
-        const auto [at, is_new] = measured_.try_emplace(file);
+        const auto [at, is_new] = measured_.try_emplace(gldf_.files[file].entry);
         Measured& made = at->second;
         if (!is_new) return made;
         const auto because = [&](const Error& error) {
             made.reason = error.diagnostics.empty() ? "cannot be read" : error.diagnostics.back().message;
         };
-        const std::string name = gldf_.source + "/" + gldf_.files[file].entry;
-        Result<std::string> bytes = archive_.read(*archive_.find(gldf_.files[file].entry));
-        if (!bytes) return because(bytes.error()), made;
-        if (is_archive(*bytes) || bytes->size() > limit("profile-bytes").value) {
-            made.reason = "it is no photometric file";
+        const ArchiveEntry& entry = *archive_.find(gldf_.files[file].entry);
+        if (entry.size > limit("profile-bytes").value) {
+            made.reason = fmt::format("it is larger than {}", to_text(limit("profile-bytes")));
             return made;
         }
-        Result<Profile> profile = read_profile(*bytes, name);
+        Result<std::string> bytes = archive_.read(entry);
+        if (!bytes) return because(bytes.error()), made;
+        if (is_archive(*bytes)) {
+            made.reason = "it is an archive, not a photometric file";
+            return made;
+        }
+        ReadOptions beside;
+        beside.read_beside = reader_in(archive_, entry.name);
+        Result<Profile> profile = read_profile(*bytes, archive_.name_of(entry), beside);
         if (!profile) return because(profile.error()), made;
         const Result<ResolvedWeb> resolved = resolve_web(*profile);
         if (!resolved) return because(resolved.error()), made;
@@ -115,7 +126,7 @@ private:
         found.ending = std::holds_alternative<IesFile>(profile->file)   ? "ies"
                        : std::holds_alternative<LdtFile>(profile->file) ? "ldt"
                                                                         : "xml";
-        found.bytes = std::move(*bytes);
+        found.bytes = tilt_included(*profile).value_or(std::move(*bytes));
         scene_.profiles.push_back(std::move(found));
         return made;
     }
@@ -123,7 +134,7 @@ private:
     void add(const GldfEmitter& emitter, const GldfLight& of) {
         FoundLight light;
         light.name = of.name.empty() ? emitter.id : of.name;
-        light.place = "emitter " + emitter.id.substr(0, 100);
+        light.place = "emitter " + std::string(cut_text(emitter.id, 100));
         light.location = of.location;
         light.kind = of.kind;
         light.stated_amount = of.flux_lm.value_or(0.0);
@@ -152,7 +163,8 @@ private:
 
     // The colour of a spectrum; false where it has none, which is said.
     bool take_spectrum(FoundLight& light, std::size_t index) {
-        const auto [at, is_new] = colors_.try_emplace(index);
+        const std::optional<std::size_t> file = gldf_.spectra[index].file;
+        const auto [at, is_new] = colors_.try_emplace(file ? gldf_.files[*file].entry : fmt::format(":{}", index));
         ColorOfSpectrum& made = at->second;
         if (is_new) {
             Result<Spectrum> spectrum = spectrum_of(gldf_.spectra[index]);
@@ -181,10 +193,11 @@ private:
         std::string name = gldf_.source + "/product.xml";
         if (of.file) {
             name = gldf_.source + "/" + gldf_.files[*of.file].entry;
-            Result<std::string> bytes = archive_.read(*archive_.find(gldf_.files[*of.file].entry));
-            if (!bytes) return pass_on(bytes);
-            if (bytes->size() > limit("spectrum-bytes").value)
+            const ArchiveEntry& entry = *archive_.find(gldf_.files[*of.file].entry);
+            if (entry.size > limit("spectrum-bytes").value)
                 return fail("FIL0104", fmt::format("larger than {}", to_text(limit("spectrum-bytes"))));
+            Result<std::string> bytes = archive_.read(entry);
+            if (!bytes) return pass_on(bytes);
             text = std::move(*bytes);
         } else {
             for (std::size_t i = 0; i < of.wavelengths_nm.size(); ++i)
@@ -239,8 +252,8 @@ private:
     const Archive& archive_;
     const SceneReadOptions& options_;
     FoundScene scene_;
-    std::map<std::size_t, Measured> measured_;      // by file
-    std::map<std::size_t, ColorOfSpectrum> colors_; // by spectrum
+    std::map<std::string, Measured> measured_;      // by entry of the archive
+    std::map<std::string, ColorOfSpectrum> colors_; // by entry, or by the number of a spectrum in product.xml
 };
 
 } // namespace

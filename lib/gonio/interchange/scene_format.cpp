@@ -116,7 +116,7 @@ Result<const SceneFormat*> scene_format_of(std::string_view bytes, const std::st
         Result<Archive> archive = Archive::open(bytes, source);
         if (!archive) return pass_on(archive);
         return scene_error("SCN0101", {source, 0, 0},
-                           "this archive is none that gonio reads: it has neither product.xml (GLDF) nor "
+                           "gonio reads no archive of this kind: it has neither product.xml (GLDF) nor "
                            "description.xml (GDTF), and does not begin with a layer of USD (USDZ)");
     }
     return scene_error("SCN0101", {source, 0, 0}, "this is not a scene of a format that gonio reads",

@@ -3,8 +3,8 @@
 //
 // What product.xml says about light is read: files, photometries, spectra, light sources, emitters, variants. Files are
 // found in the folder of their content type ("ldc/eulumdat": ldc/); addresses on the network are never opened. The
-// archive is hostile: gonio/base/archive.hpp. What departs from the schema is a diagnostic of the family GLD, and with
-// `strict` an error.
+// archive is hostile: gonio/base/archive.hpp. Texts are cut to 256 bytes. What departs from the schema is a diagnostic
+// of the family GLD, and with `strict` an error.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -20,6 +20,8 @@
 
 #pragma GCC visibility push(default)
 namespace gonio {
+
+class Archive;
 
 // A file that product.xml names.
 struct GldfFile {
@@ -98,21 +100,25 @@ bool is_gldf(std::string_view bytes);
 // Fails (malformed, unsupported) on a broken archive or document, and with `strict` on departures from the schema.
 Result<Gldf> read_gldf(std::string_view bytes, const std::string& source, bool strict = false);
 
-// The bytes of a file of the archive. Fails as read_gldf() does, and (malformed) if it is not there.
-Result<std::string> gldf_file(std::string_view bytes, const std::string& source, const GldfFile& file);
+// The variant of that identifier, else of that name; the first where the text is empty, and null if there is none.
+// Fails (usage) on a name that the GLDF does not have.
+Result<const GldfVariant*> choose_variant(const Gldf& gldf, const std::string& name);
+
+// Reads the files in the folder of an entry of the archive, which must outlive it: factors of TILT.
+ReadBeside reader_in(const Archive& archive, const std::string& entry);
 
 // One photometric file, and what names it.
 struct GldfProfile {
     std::string name; // "lamp.gldf/ldc/lamp.ldt"
     std::string bytes;
-    std::optional<double> flux_lm; // as stated for the emitter that was chosen by the variant
-    Diagnostics diagnostics;       // if it is one of several
+    Diagnostics diagnostics; // of the document, and whether the file is one of several or not the first light's
 };
 
-// The photometric file of a variant's or the whole product's emitter: by identifier or name, the first where an option
-// is empty. Fails as read_gldf() does, (usage) on a name that the GLDF does not have, and (malformed) if it has no
-// photometric file.
-Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& source, const GldfChoice& choice = {});
+// The photometric file of an emitter of a variant or of the whole product, by identifier or name. With neither, that of
+// the first light of the first variant, or of the next light that has a file. Fails as read_gldf() does, (usage) on a
+// name that the GLDF does not have, and (malformed) if the first light of what was asked for has no photometric file.
+Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& source, const GldfChoice& choice = {},
+                                 bool strict = false);
 
 // What a written GLDF says besides its profile.
 struct GldfProduct {

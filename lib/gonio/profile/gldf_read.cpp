@@ -1,6 +1,5 @@
 #include <gonio/base/archive.hpp>
 #include <gonio/base/archive_xml.hpp>
-#include <gonio/base/charconv.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/text.hpp>
@@ -12,6 +11,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -21,14 +21,16 @@ namespace {
 
 constexpr std::string_view product_file = "product.xml";
 
+// Identifiers, file names and texts are cut to this: each may be repeated for every light.
+constexpr std::size_t longest_text = 256;
+
 // Short, for messages.
 std::string shown(std::string_view text) {
-    constexpr std::size_t longest = 60;
-    std::string plain(text.substr(0, longest));
-    if (has_control_characters(plain))
-        for (char& c : plain)
-            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
-    return plain;
+    return shown_text(text, 60);
+}
+
+std::string short_text(pugi::xml_node node) {
+    return std::string(cut_text(text_in(node), longest_text));
 }
 
 using Ids = std::map<std::string, std::size_t, std::less<>>;
@@ -104,9 +106,11 @@ private:
     }
 
     std::string required_attribute(pugi::xml_node node, const char* name) {
-        const std::string value = node.attribute(name).value();
+        const std::string_view value = node.attribute(name).value();
         if (node && value.empty()) say("GLD0201", node, fmt::format("'{}' has no {}", shown(node.name()), name));
-        return value;
+        if (value.size() <= longest_text) return std::string(value);
+        say("GLD0204", node, fmt::format("{} is longer than {} bytes: '{}…'", name, longest_text, shown(value)));
+        return {};
     }
 
     // Of texts in several languages: English, else the first.
@@ -119,8 +123,7 @@ private:
                 break;
             }
         }
-        constexpr std::size_t longest = 1000;
-        return std::string(text.substr(0, longest));
+        return std::string(cut_text(text, longest_text));
     }
 
     // A number of 0 or more; nothing if the element is missing or holds none.
@@ -155,8 +158,8 @@ private:
 
     void read_header(pugi::xml_node header) {
         if (!header) return;
-        gldf_.manufacturer = text_in(required(header, "Manufacturer"));
-        gldf_.generator = text_in(required(header, "CreatedWithApplication"));
+        gldf_.manufacturer = short_text(required(header, "Manufacturer"));
+        gldf_.generator = short_text(required(header, "CreatedWithApplication"));
         if (!header.child("CreationTimeCode")) required(header, "GldfCreationTimeCode"); // the first release candidate
         const pugi::xml_node version = required(header, "FormatVersion");
         if (!version) return;
@@ -188,14 +191,19 @@ private:
             GldfFile file;
             file.id = new_id(node, file_ids_, gldf_.files.size());
             file.content_type = to_lower(required_attribute(node, "contentType"));
-            file.written = text_in(node);
+            const std::string_view written = text_in(node);
+            file.written = cut_text(written, longest_text);
             const std::string type = required_attribute(node, "type");
             file.is_address = equals_any_case(type, "url") || file.written.find("://") != std::string::npos;
+            const bool is_too_long = written.size() > longest_text;
             if (!type.empty() && !equals_any_case(type, "url") && !equals_any_case(type, "localFileName"))
                 say("GLD0204", node,
                     fmt::format("the type of a file is '{}', neither localFileName nor url", shown(type)));
             if (file.is_address) {
                 say("GLD0206", node, fmt::format("the file '{}' is an address on the network", shown(file.id)));
+            } else if (is_too_long) {
+                say("GLD0204", node,
+                    fmt::format("a file name is longer than {} bytes: '{}…'", longest_text, shown(written)));
             } else {
                 file.entry = entry_of(file);
                 if (file.entry.empty())
@@ -277,9 +285,23 @@ private:
         }
     }
 
-    static double count_of(pugi::xml_node reference, const char* attribute) {
-        const double count = reference.attribute(attribute).as_double(1.0);
-        return count >= 1.0 && count <= 1e6 ? count : 1.0;
+    // Of the light sources that a reference means: one where it does not say.
+    double count_of(pugi::xml_node reference) {
+        const pugi::xml_attribute written = reference.attribute("lightSourceCount");
+        if (!written) return 1.0;
+        const std::optional<double> count = parse_number(trimmed(written.value()));
+        if (count && *count >= 1.0 && *count <= 1e6) return *count;
+        say("GLD0204", reference,
+            fmt::format("lightSourceCount is '{}', not a number from 1 to 1000000: 1 is taken",
+                        shown(written.value())));
+        return 1.0;
+    }
+
+    static LightSource several(const LightSource& source, double count) {
+        LightSource together = source;
+        if (together.flux_lm) together.flux_lm = *together.flux_lm * count;
+        if (together.input_w) together.input_w = *together.input_w * count;
+        return together;
     }
 
     // As one light source: its lamps together.
@@ -290,12 +312,8 @@ private:
             if (const pugi::xml_node reference = required(node, "LightSourceReference")) {
                 const char* const attribute =
                     reference.attribute("changeableLightSourceId") ? "changeableLightSourceId" : "fixedLightSourceId";
-                if (const auto source = referred(reference, attribute, source_ids_, "light source")) {
-                    together = sources_[*source];
-                    const double count = count_of(reference, "lightSourceCount");
-                    if (together.flux_lm) together.flux_lm = *together.flux_lm * count;
-                    if (together.input_w) together.input_w = *together.input_w * count;
-                }
+                if (const auto source = referred(reference, attribute, source_ids_, "light source"))
+                    together = several(sources_[*source], count_of(reference));
             }
             if (const auto input = number(node.child("RatedInputPower"))) together.input_w = input;
             equipment_.push_back(together);
@@ -359,11 +377,8 @@ private:
             const char* const attribute = lamps.attribute("fixedLightSourceId")          ? "fixedLightSourceId"
                                           : lamps.attribute("multiChannelLightSourceId") ? "multiChannelLightSourceId"
                                                                                          : "changeableLightSourceId";
-            if (const auto found = referred(lamps, attribute, source_ids_, "light source")) {
-                source = sources_[*found];
-                const double count = count_of(lamps, "lightSourceCount");
-                if (source.input_w) source.input_w = *source.input_w * count;
-            }
+            if (const auto found = referred(lamps, attribute, source_ids_, "light source"))
+                source = several(sources_[*found], count_of(lamps));
         }
         light.flux_lm = light.kind == "changeable" ? source.flux_lm : number(node.child("RatedLuminousFlux"));
         light.emergency_flux_lm = number(node.child("EmergencyRatedLuminousFlux"));
@@ -401,7 +416,9 @@ private:
             // Files of others often leave the emitters to the geometry.
             if (!names_any && !gldf_.emitters.empty()) {
                 say("GLD0201", node, "'Variant' names no emitter: those of the whole file are taken");
-                for (std::size_t i = 0; i < gldf_.emitters.size(); ++i)
+                // Many variants of many emitters would be far more than the document has.
+                constexpr std::size_t most = std::size_t{1} << 20U;
+                for (std::size_t i = 0; i < gldf_.emitters.size() && given_ < most; ++i, ++given_)
                     variant.emitters.push_back(i);
             }
             gldf_.variants.push_back(std::move(variant));
@@ -429,6 +446,7 @@ private:
     Ids equipment_ids_;
     Ids emitter_ids_;
     Ids variant_ids_;
+    std::size_t given_ = 0; // emitters to variants that name none
     std::vector<LightSource> sources_;
     std::vector<LightSource> equipment_;
     std::set<std::string, std::less<>> named_; // entries of the archive
@@ -446,14 +464,46 @@ Result<Gldf> read_gldf(const Archive& archive, bool strict) {
 template<class Item, class NameOf>
 Result<std::size_t> chosen(std::string_view what, const std::string& wanted, const std::vector<Item>& items,
                            const NameOf& name_of) {
+    constexpr std::size_t most_names = 100;
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (items[i].id == wanted) return i;
-        names.push_back(items[i].id);
+        if (names.size() < most_names) names.push_back(items[i].id);
     }
     for (std::size_t i = 0; i < items.size(); ++i)
         if (name_of(items[i]) == wanted) return i;
     return unknown_name(what, wanted, names);
+}
+
+// A light, where it is, and its photometric file.
+struct LightAt {
+    std::size_t emitter = 0;
+    std::optional<std::size_t> file;
+};
+
+// Each emitter's once, however often a variant has it.
+std::vector<LightAt> lights_of(const Gldf& gldf, const std::vector<std::size_t>& emitters) {
+    std::vector<LightAt> lights;
+    std::vector<bool> is_seen(gldf.emitters.size());
+    for (const std::size_t emitter : emitters) {
+        if (is_seen[emitter]) continue;
+        is_seen[emitter] = true;
+        for (const GldfLight& light : gldf.emitters[emitter].lights)
+            lights.push_back(
+                {emitter, light.photometry ? gldf.photometries[*light.photometry].file : std::optional<std::size_t>()});
+    }
+    return lights;
+}
+
+Diagnostic one_of_several(const std::string& source, std::string message) {
+    const ArchiveCode code = "GLD0209";
+    Diagnostic said;
+    said.code = code->code;
+    said.severity = code->severity;
+    said.location = {source, 0, 0};
+    said.message = std::move(message);
+    said.hint = "'gonio info' lists variants and emitters; --variant and --emitter choose";
+    return said;
 }
 
 } // namespace
@@ -470,37 +520,44 @@ Result<Gldf> read_gldf(std::string_view bytes, const std::string& source, bool s
     return read_gldf(*archive, strict);
 }
 
-Result<std::string> gldf_file(std::string_view bytes, const std::string& source, const GldfFile& file) {
-    Result<Archive> archive = Archive::open(bytes, source);
-    if (!archive) return pass_on(archive);
-    const ArchiveEntry* const entry = archive->find(file.entry);
-    if (file.entry.empty() || entry == nullptr)
-        return archive_error("ARC0107", {source, 0, 0},
-                             fmt::format("the archive has no file '{}'", shown(file.written)));
-    return archive->read(*entry);
+Result<const GldfVariant*> choose_variant(const Gldf& gldf, const std::string& name) {
+    if (name.empty()) return gldf.variants.empty() ? nullptr : gldf.variants.data();
+    Result<std::size_t> variant =
+        chosen("variant", name, gldf.variants, [](const GldfVariant& one) { return std::string_view(one.name); });
+    if (!variant) return pass_on(variant);
+    return &gldf.variants[*variant];
 }
 
-Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& source, const GldfChoice& choice) {
+ReadBeside reader_in(const Archive& archive, const std::string& entry) {
+    return [&archive, folder = entry.substr(0, entry.rfind('/') + 1)](const std::string& name) -> Result<std::string> {
+        const ArchiveEntry* const beside = archive.find(folder + name);
+        if (beside == nullptr) return fail("FIL0101", "the archive has no such file", {}, name);
+        if (beside->size > limit("tilt-bytes").value)
+            return fail("FIL0104", fmt::format("larger than {}", to_text(limit("tilt-bytes"))),
+                        std::string(limits_hint), name);
+        return archive.read(*beside);
+    };
+}
+
+Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& source, const GldfChoice& choice,
+                                 bool strict) {
     Result<Archive> archive = Archive::open(bytes, source);
     if (!archive) return pass_on(archive);
-    Result<Gldf> gldf = read_gldf(*archive, false);
+    Result<Gldf> gldf = read_gldf(*archive, strict);
     if (!gldf) return pass_on(gldf);
-    // The emitters among which one is taken.
-    std::vector<std::size_t> emitters;
+    GldfProfile profile;
+    profile.diagnostics = std::move(gldf->diagnostics);
+    const Result<const GldfVariant*> variant = choose_variant(*gldf, choice.variant);
+    if (!variant) return Unexpected(variant.error());
+    std::vector<std::size_t> all(gldf->emitters.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const bool is_of_variant = *variant != nullptr && (choice.emitter.empty() || !choice.variant.empty());
+    std::vector<std::size_t> emitters = is_of_variant ? (*variant)->emitters : all;
     std::string of;
-    if (!choice.variant.empty()) {
-        Result<std::size_t> variant =
-            chosen("variant", choice.variant, gldf->variants, [](const GldfVariant& one) { return one.name; });
-        if (!variant) return pass_on(variant);
-        emitters = gldf->variants[*variant].emitters;
-        of = fmt::format(" of variant '{}'", shown(choice.variant));
-    } else {
-        for (std::size_t i = 0; i < gldf->emitters.size(); ++i)
-            emitters.push_back(i);
-    }
+    if (!choice.variant.empty()) of = fmt::format(" of variant '{}'", shown(choice.variant));
     if (!choice.emitter.empty()) {
         Result<std::size_t> emitter = chosen("emitter", choice.emitter, gldf->emitters, [](const GldfEmitter& one) {
-            return one.lights.empty() ? std::string() : one.lights.front().name;
+            return one.lights.empty() ? std::string_view() : std::string_view(one.lights.front().name);
         });
         if (!emitter) return pass_on(emitter);
         if (std::find(emitters.begin(), emitters.end(), *emitter) == emitters.end())
@@ -509,23 +566,35 @@ Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& sour
         emitters = {*emitter};
         of += fmt::format(" of emitter '{}'", shown(choice.emitter));
     }
-    GldfProfile profile;
-    std::vector<std::size_t> files; // each once, in this order
-    for (const std::size_t emitter : emitters)
-        for (const GldfLight& light : gldf->emitters[emitter].lights) {
-            if (!light.photometry || !gldf->photometries[*light.photometry].file) continue;
-            const std::size_t file = *gldf->photometries[*light.photometry].file;
-            if (files.empty() && light.kind != "changeable") profile.flux_lm = light.flux_lm;
-            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
-        }
+    const bool is_asked_for = !of.empty();
+    std::vector<LightAt> lights = lights_of(*gldf, emitters);
+    const auto has_file = [](const LightAt& light) { return light.file.has_value(); };
+    // Another than what was asked for would be a wrong answer.
+    if (is_asked_for && (lights.empty() || !has_file(lights.front())))
+        return archive_error("GLD0101", {source, 0, 0},
+                             lights.empty() ? fmt::format("the GLDF has no light{}", of)
+                                            : fmt::format("the first light{} has no photometric file", of));
+    const std::optional<std::size_t> first =
+        lights.empty() ? std::optional<std::size_t>() : std::optional(lights.front().emitter);
+    auto taken = std::find_if(lights.begin(), lights.end(), has_file);
+    if (taken == lights.end()) {
+        lights = lights_of(*gldf, all);
+        taken = std::find_if(lights.begin(), lights.end(), has_file);
+    }
+    std::optional<std::size_t> index;
+    if (taken != lights.end()) index = taken->file;
     // Photometries without an emitter are better than nothing.
-    if (choice.variant.empty() && choice.emitter.empty() && files.empty())
-        for (const GldfPhotometry& photometry : gldf->photometries)
-            if (photometry.file && std::find(files.begin(), files.end(), *photometry.file) == files.end())
-                files.push_back(*photometry.file);
-    if (files.empty())
-        return archive_error("GLD0101", {source, 0, 0}, fmt::format("the GLDF has no photometric file{}", of));
-    const GldfFile& file = gldf->files[files.front()];
+    for (const GldfPhotometry& photometry : gldf->photometries)
+        if (!index) index = photometry.file;
+    if (!index) return archive_error("GLD0101", {source, 0, 0}, "the GLDF has no photometric file");
+    const GldfFile& file = gldf->files[*index];
+    if (first && (taken == lights.end() || taken->emitter != *first || taken != lights.begin()))
+        profile.diagnostics.push_back(one_of_several(
+            source, fmt::format("the first light of emitter '{}' has no photometric file: '{}'{} is taken",
+                                shown(gldf->emitters[*first].id), shown(file.entry),
+                                taken == lights.end()
+                                    ? std::string()
+                                    : fmt::format(" of emitter '{}'", shown(gldf->emitters[taken->emitter].id)))));
     const ArchiveEntry& entry = *archive->find(file.entry);
     if (entry.size > limit("profile-bytes").value)
         return fail("FIL0104", fmt::format("larger than {}", to_text(limit("profile-bytes"))), std::string(limits_hint),
@@ -534,16 +603,15 @@ Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& sour
     if (!read) return pass_on(read);
     profile.bytes = std::move(*read);
     profile.name = archive->name_of(entry);
-    if (files.size() > 1) {
-        const ArchiveCode code = "GLD0209";
-        Diagnostic said;
-        said.code = code->code;
-        said.severity = code->severity;
-        said.location = {source, 0, 0};
-        said.message = fmt::format("'{}' is the first of {} photometric files{}", shown(file.entry), files.size(), of);
-        said.hint = "'gonio info' lists variants and emitters; --variant and --emitter choose";
-        profile.diagnostics.push_back(std::move(said));
-    }
+    std::set<std::size_t> files;
+    for (const LightAt& light : lights_of(*gldf, is_asked_for ? emitters : all))
+        if (light.file) files.insert(*light.file);
+    if (taken == lights.end())
+        for (const GldfPhotometry& photometry : gldf->photometries)
+            if (photometry.file) files.insert(*photometry.file);
+    if (files.size() > 1)
+        profile.diagnostics.push_back(one_of_several(
+            source, fmt::format("'{}' is taken, one of {} photometric files{}", shown(file.entry), files.size(), of)));
     return profile;
 }
 

@@ -9,6 +9,8 @@
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/text_encoding.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -94,19 +96,14 @@ Result<ProfileFormat> recognise(std::string_view bytes, TextRange text, const st
 
 // One of the photometric files of a GLDF; the factors of TILT are read from the archive, too.
 Result<Profile> read_gldf_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
-    Result<GldfProfile> chosen = gldf_profile(bytes, source, options.choice);
+    Result<GldfProfile> chosen = gldf_profile(bytes, source, options.choice, options.strict);
     if (!chosen) return pass_on(chosen);
     if (is_archive(chosen->bytes))
         return archive_error("GLD0101", {chosen->name, 0, 0}, "the photometric file is an archive itself");
     Result<Archive> archive = Archive::open(bytes, source);
     if (!archive) return pass_on(archive);
     ReadOptions inside = options;
-    inside.read_beside = [&](const std::string& name) -> Result<std::string> {
-        const std::string below = chosen->name.substr(source.size() + 1);
-        const ArchiveEntry* const entry = archive->find(below.substr(0, below.rfind('/') + 1) + name);
-        if (entry == nullptr) return fail("FIL0101", "the archive has no such file", {}, name);
-        return archive->read(*entry);
-    };
+    inside.read_beside = reader_in(*archive, chosen->name.substr(source.size() + 1));
     Result<Profile> profile = read_profile(chosen->bytes, chosen->name, inside);
     if (!profile) return profile;
     profile->diagnostics.insert(profile->diagnostics.begin(), chosen->diagnostics.begin(), chosen->diagnostics.end());
@@ -127,6 +124,9 @@ bool begins_as_tm33(std::string_view bytes) {
 
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
     if (is_archive(bytes)) return read_gldf_profile(bytes, source, options);
+    if (bytes.size() > limit("profile-bytes").value)
+        return fail("FIL0104", fmt::format("larger than {}", to_text(limit("profile-bytes"))), std::string(limits_hint),
+                    source);
     std::string converted; // the result of the conversion from UTF-16
     const profile_detail::Utf16 utf16 = profile_detail::utf16_of(bytes);
     if (utf16 != profile_detail::Utf16::no) {

@@ -52,7 +52,7 @@ struct ReadOptions {
 // name that does not exist is tried in lower and in upper case: many come from systems that ignore case.
 ReadBeside reader_beside(const std::string& path);
 
-// `source` names the bytes in diagnostics, and its extension helps to recognise the format.
+// `source` names the bytes in diagnostics; its extension helps to recognise the format. Fails beyond profile-bytes.
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options = {});
 
 // How large such a file may be: archive-bytes for a name that ends in .gldf, else profile-bytes.

@@ -79,6 +79,33 @@ TEST(Inflate, RefusesEveryOtherLengthAndEveryCut) {
     EXPECT_FALSE(inflate("\x4b\x84\x61\x00"s, 10));    // repeats what is before the start
 }
 
+// A stream of DEFLATE, bit by bit.
+std::string empty_blocks_and(std::size_t count, const std::string& stored) {
+    std::string bits;
+    for (std::size_t i = 0; i < count; ++i)
+        bits += "0100000000"; // fixed codes, not the last, the end of the block
+    bits += "100";            // stored, the last
+    while (bits.size() % 8 != 0)
+        bits += '0';
+    std::string bytes;
+    for (std::size_t i = 0; i < bits.size(); i += 8) {
+        unsigned byte = 0;
+        for (std::size_t bit = 0; bit < 8; ++bit)
+            byte |= (bits[i + bit] == '1' ? 1U : 0U) << bit;
+        bytes += static_cast<char>(byte);
+    }
+    const auto size = static_cast<std::uint32_t>(stored.size());
+    return bytes + put16(size) + put16(~size & 0xffffU) + stored;
+}
+
+TEST(Inflate, RefusesMoreEmptyBlocksThanAProgramWrites) {
+    EXPECT_EQ(inflate(empty_blocks_and(900, "abc"), 3), "abc");
+    EXPECT_FALSE(inflate(empty_blocks_and(1100, "abc"), 3));
+    const std::string large(32000, 'x');
+    EXPECT_EQ(inflate(empty_blocks_and(2900, large), large.size()), large);
+    EXPECT_FALSE(inflate(empty_blocks_and(3100, large), large.size()));
+}
+
 TEST(Inflate, SurvivesAnyBit) {
     for (std::size_t bit = 0; bit < 8 * dynamic_block.size(); ++bit) {
         std::string changed = dynamic_block;
@@ -133,6 +160,29 @@ TEST(Archive, NamesThatLeadOutAreRefused) {
     EXPECT_EQ(Archive::open(bytes, "a.zip")->entries()[0].name, "ldc/a.ldt");
 }
 
+TEST(Archive, LongNamesAreRefused) {
+    for (const std::size_t size : {std::size_t{1024}, std::size_t{1025}}) {
+        const std::string name(size, 'm');
+        const std::string bytes = write_archive(std::array{ArchiveFile{name, "x"}});
+        EXPECT_EQ(code_of(Archive::open(bytes, "a.zip")), size == 1024 ? "read" : "ARC0103");
+    }
+    const std::string bytes = write_archive(two);
+    EXPECT_EQ(Archive::open(bytes, "a.zip")->find(std::string(100000, 'p')), nullptr);
+}
+
+TEST(Archive, TextsAreCutAndShownByCharacters) {
+    EXPECT_EQ(cut_text("Größe", 4), "Grö");
+    EXPECT_EQ(cut_text("Größe", 3), "Gr");
+    EXPECT_EQ(cut_text("Größe", 100), "Größe");
+    EXPECT_EQ(cut_text("\x80\x80\x80\x80\x80\x80", 5).size(), 2U); // not UTF-8
+    EXPECT_EQ(shown_text("Größe €\xf0\x9f\x92\xa1"), "Größe €\xf0\x9f\x92\xa1");
+    EXPECT_EQ(shown_text("a\x1b[31m\xc2\x9b\xff\xc3"), "a?[31m????");
+    EXPECT_EQ(shown_text("\xed\xa0\x80"), "???"); // half of a pair
+    EXPECT_EQ(shown_text("Größe", 3), "Gr");
+    const std::string bytes = write_archive(std::array{ArchiveFile{"../Größe", "x"}});
+    EXPECT_NE(Archive::open(bytes, "a.zip").error().diagnostics.back().message.find("'../Größe'"), std::string::npos);
+}
+
 TEST(Archive, NamesGivenTwiceAreRefused) {
     EXPECT_EQ(code_of(Archive::open(write_archive(std::array{ArchiveFile{"a", "1"}, ArchiveFile{"a", "2"}}), "a.zip")),
               "ARC0104");
@@ -145,7 +195,7 @@ TEST(Archive, DirectoryAndEntriesMustAgree) {
     const std::size_t directory = bytes.find("PK\x01\x02");
     EXPECT_EQ(code_at(bytes, directory + 8, put16(1)), "ARC0105");     // encrypted
     EXPECT_EQ(code_at(bytes, 6, put16(1)), "ARC0105");                 // by its own head
-    EXPECT_EQ(code_at(bytes, 30, "Product.xml"), "ARC0101");           // calls itself something else
+    EXPECT_EQ(code_at(bytes, 30, "Product.xml"), "ARC0101");           // another name in its own head
     EXPECT_EQ(code_at(bytes, directory + 42, put32(1)), "ARC0101");    // no head there
     EXPECT_EQ(code_at(bytes, directory + 20, put32(1000)), "ARC0101"); // cut off
     EXPECT_EQ(code_at(bytes, directory + 24, put32(0xffffffff)), "ARC0106");

@@ -1,4 +1,5 @@
 // The registry of diagnostic codes: every error has a code from it.
+#include <gonio/base/codes/archive.hpp>
 #include <gonio/base/codes/failure.hpp>
 #include <gonio/base/codes/profile.hpp>
 #include <gonio/base/codes/result.hpp>
@@ -31,7 +32,8 @@ TEST(DiagnosticCodes, AreFoundByTheirName) {
     for (const DiagnosticCode& code : diagnostic_codes())
         EXPECT_EQ(find_diagnostic_code(code.code), &code);
     EXPECT_EQ(diagnostic_codes().size(), profile_codes.size() + web_codes.size() + rig_codes.size() +
-                                             scene_codes.size() + result_codes.size() + failure_codes.size());
+                                             scene_codes.size() + result_codes.size() + failure_codes.size() +
+                                             archive_codes.size());
     for (const std::string_view none : {"", "IES9999", "ies0204", "IES020", "IES02040"})
         EXPECT_EQ(find_diagnostic_code(none), nullptr) << none;
 }

@@ -81,6 +81,32 @@ TEST(InterchangeGldf, WhatCannotBeReadIsListed) {
     EXPECT_EQ(failure_of(gldf_of(test::product()).substr(0, 500)).code, "ARC0101");
 }
 
+// A profile goes to where its file of factors does not.
+TEST(InterchangeGldf, FactorsOfTiltGoIntoTheProfile) {
+    const std::string tilted = replaced(test::half_sphere(), "TILT=NONE", "TILT=t.tlt");
+    const FoundScene scene = scene_of(write_archive(
+        std::array{ArchiveFile{"product.xml", test::product()}, ArchiveFile{"ldc/a.ies", tilted},
+                   ArchiveFile{"ldc/b.ies", test::half_sphere()}, ArchiveFile{"ldc/t.tlt", "1\n2\n0 90\n1 0.5\n"}}));
+    ASSERT_EQ(scene.profiles.size(), 1U);
+    EXPECT_NE(scene.profiles[0].bytes.find("TILT=INCLUDE"), std::string::npos);
+}
+
+TEST(InterchangeGldf, AVariantIsChosenByIdentifierBeforeName) {
+    SceneReadOptions options;
+    options.variant = "v2";
+    EXPECT_EQ(scene_of(gldf_of(replaced(test::product(), ">one<", ">v2<")), options).lights.size(), 2U);
+}
+
+TEST(InterchangeGldf, ManyFilesOfOneEntryAreOneProfile) {
+    const std::string xml = replaced(replaced(test::product(), "photometryId=\"p1\"/>",
+                                              "photometryId=\"p1\"/></FixedLightEmitter>"
+                                              "<FixedLightEmitter><PhotometryReference photometryId=\"p2\"/>"),
+                                     ">b.ies<", ">a.ies<");
+    const FoundScene scene = scene_of(gldf_of(xml));
+    EXPECT_EQ(scene.lights.size(), 2U);
+    EXPECT_EQ(scene.profiles.size(), 1U);
+}
+
 // A yoke at 2 m with a beam half a metre below it, turned to shine along +X.
 std::string fixture(const std::string& beam, const std::string& channels = {}) {
     return "<GDTF DataVersion=\"1.2\"><FixtureType Name=\"Spot\" Manufacturer=\"Works\"><Geometries>"
@@ -133,6 +159,61 @@ TEST(InterchangeGdtf, ZoomKeepsTheFluxAndScalesTheAngles) {
     const Web& web = *std::get<ProfileShape>(*narrow.lights[0].shape).web;
     EXPECT_NEAR(web.candela(0.0, 10.0) / web.candela(0.0, 0.0), 0.1, 1e-3); // the field angle of 40° is 20° now
     EXPECT_EQ(scene_of(gdtf_of(fixture(stated, zoom("0", "400")))).diagnostics.size(), 2U); // left out; which mode
+}
+
+TEST(InterchangeGdtf, WideZooms) {
+    SceneReadOptions options;
+    options.zoom = degrees(100.0); // the field angle would be 200°
+    FoundScene wide = scene_of(gdtf_of(fixture(stated, zoom("6", "100"))), options);
+    load_scene_profiles(wide, options);
+    ASSERT_TRUE(wide.lights[0].is_converted());
+    const auto says = [&](const std::string& what) {
+        for (const LightRemark& said : wide.lights[0].remarks)
+            if (said.message.find(what) != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(says("field angle to 200°"));
+    options.zoom = degrees(2.0);
+    wide = scene_of(gdtf_of(fixture(stated, zoom("6", "100"))), options);
+    EXPECT_TRUE(says("from 6° to 100°: 6° is taken"));
+    EXPECT_FALSE(says("at the most"));
+}
+
+TEST(InterchangeGdtf, HostileFixtures) {
+    std::string attributes;
+    for (int i = 0; i < 101; ++i)
+        attributes += " a" + std::to_string(i) + "=\"\"";
+    EXPECT_EQ(failure_of(gdtf_of(fixture(stated + attributes))).code, "SCN0108");
+    EXPECT_EQ(failure_of(gdtf_of(fixture(stated, "<DMXChannel" + attributes + "/>"))).code, "SCN0108");
+    std::string beams;
+    for (int i = 0; i < 1001; ++i)
+        beams += "/><Beam Name=\"b\" BeamAngle=\"" + std::to_string(1.0 + 0.01 * i) + "\" FieldAngle=\"50\"";
+    EXPECT_EQ(failure_of(gdtf_of(fixture(stated + beams))).code, "SCN0108");
+    std::string wrong;
+    for (int i = 0; i < 1000; ++i)
+        wrong += zoom("0", "400");
+    EXPECT_LT(scene_of(gdtf_of(fixture(stated, wrong))).diagnostics.size(), 20U);
+    std::string name; // its cut falls into a character
+    for (int i = 0; i < 300; ++i)
+        name += "é";
+    const FoundLight light = scene_of(gdtf_of(replaced(fixture(stated), "\"Lens\"", "\"a" + name + "\""))).lights[0];
+    EXPECT_EQ(light.name, "a" + name.substr(0, 398));
+    const FoundLight below = scene_of(gdtf_of(replaced(fixture(stated), "\"Yoke\"", "\"" + name + "\""))).lights[0];
+    EXPECT_EQ(below.place, "…" + name.substr(0, 394) + "/Lens");
+}
+
+TEST(InterchangeGdtf, ChannelsNameAReferenceOrWhatStandsForIt) {
+    const std::string xml =
+        "<GDTF><FixtureType><Geometries><Geometry Name=\"Bar\">"
+        "<GeometryReference Name=\"1\" Geometry=\"Yoke\"/></Geometry><Beam Name=\"Yoke\"/></Geometries>"
+        "<DMXModes><DMXMode Name=\"m\" Geometry=\"Bar\"><DMXChannels>" +
+        zoom("5", "50") + "</DMXChannels></DMXMode></DMXModes></FixtureType></GDTF>";
+    for (const char* const by : {"\"Yoke\"", "\"1\""}) {
+        const FoundScene scene =
+            scene_of(gdtf_of(replaced(xml, "DMXChannel Geometry=\"Yoke\"", std::string("DMXChannel Geometry=") + by)));
+        ASSERT_EQ(scene.lights.size(), 1U);
+        EXPECT_TRUE(scene.lights[0].zoom.has_value()) << by;
+    }
 }
 
 TEST(InterchangeGdtf, KindsOfBeams) {
