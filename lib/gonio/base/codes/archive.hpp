@@ -15,8 +15,8 @@ inline constexpr auto archive_codes = std::to_array<DiagnosticCode>({
      "The archive has more entries than gonio allows, or entries that unpack to more bytes, in all or against the "
      "bytes that they take in the archive. 'gonio list limits' shows the limits."},
     {"ARC0103", Severity::error, Strict::same, "name that leads out of an archive",
-     "An entry has an absolute name, a drive, a '..' or characters that no file name has. Such an archive could write "
-     "or read files outside its folder, so gonio reads nothing of it."},
+     "An entry has an absolute name, a drive, a '..', characters that no file name has or more than 1024 bytes. Such "
+     "an archive could write or read files outside its folder, so gonio reads nothing of it."},
     {"ARC0104", Severity::error, Strict::same, "name given twice in an archive",
      "Two entries have the same name, or names that differ by upper and lower case only. Programs disagree about which "
      "of them counts."},
@@ -62,8 +62,8 @@ inline constexpr auto archive_codes = std::to_array<DiagnosticCode>({
      "file. Variants of different flux often share one file. gonio takes the file's numbers where it reads a profile, "
      "and the stated flux where it reads lights."},
     {"GLD0209", Severity::warning, Strict::same, "one of several photometries",
-     "The GLDF or its variant has several photometric files, and the command takes one. --variant and --emitter choose "
-     "another."},
+     "The GLDF or its variant has several photometric files, and the command takes the first that it can read. "
+     "--variant and --emitter choose another."},
     {"GLD0210", Severity::note, Strict::same, "other version of GLDF",
      "gonio knows the versions 1.0, release candidates included. The file is read as one of them."},
     {"GLD0211", Severity::warning, Strict::same, "photometry of a GLDF that cannot be read",
