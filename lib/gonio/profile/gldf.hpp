@@ -94,7 +94,7 @@ struct Gldf {
     Diagnostics diagnostics;
 };
 
-// Whether the bytes are an archive with a product.xml. A broken archive is none.
+// Whether the bytes are an archive with a product.xml. False for a broken archive.
 bool is_gldf(std::string_view bytes);
 
 // Fails (malformed, unsupported) on a broken archive or document, and with `strict` on departures from the schema.
