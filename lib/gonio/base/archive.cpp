@@ -229,7 +229,11 @@ std::string shown_text(std::string_view text, std::size_t longest) {
 }
 
 bool is_archive(std::string_view bytes) {
-    return bytes.starts_with(local_mark) || bytes.starts_with(end_mark);
+    // Text may begin with these marks, too, but has no zeros: those of the method, and of the numbers of parts.
+    constexpr std::size_t method_high = 9;
+    constexpr std::size_t parts = 4;
+    return (bytes.starts_with(local_mark) && bytes.size() > method_high && bytes[method_high] == '\0') ||
+           (bytes.starts_with(end_mark) && bytes.size() >= end_size && bytes[parts] == '\0');
 }
 
 Result<Archive> Archive::open(std::string_view bytes, std::string source) {

@@ -119,6 +119,9 @@ TEST(Archive, WhatIsWrittenReadsBack) {
     const std::string bytes = write_archive(two);
     EXPECT_EQ(bytes, write_archive(two));
     EXPECT_TRUE(is_archive(bytes));
+    EXPECT_TRUE(is_archive(write_archive({})));
+    EXPECT_FALSE(is_archive("PK\x05\x06SK:LM-63\nTILT=NONE\n1 -1 1")); // text
+    EXPECT_FALSE(is_archive("PK\x03\x04 this is a text"));
     const Result<Archive> archive = Archive::open(bytes, "a.zip");
     ASSERT_TRUE(archive.has_value());
     ASSERT_EQ(archive->entries().size(), 2U);

@@ -23,7 +23,7 @@ TEST(Recognise, WhatIsNoText) {
                  "lamp.ies:1:1: error[PRF0102]: not a photometric file but a PNG picture");
     expect_error(read_profile("\xEF\xBB\xBF\x89PNG\n", "lamp.ies"),
                  "lamp.ies:1:4: error[PRF0102]: not a photometric file but a PNG picture");
-    expect_error(read_profile(std::string("PK\x03\x04\0\0", 6), "lamp.ies"),
+    expect_error(read_profile(std::string("PK\x03\x04\0\0\0\0\0\0", 10), "lamp.ies"),
                  "lamp.ies: error[ARC0101]: the archive has no directory at its end: it is cut off, or is not a zip "
                  "archive"); // GLDF by its content
     for (const auto& [bytes, name] : {std::pair{std::string("%PDF-1.4\n%\xE2"), "a PDF document"},
