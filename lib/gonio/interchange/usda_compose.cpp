@@ -209,8 +209,7 @@ private:
         layers_.emplace_back();
         ParsedLayer& made = layers_.back();
         made.layer = std::move(*parsed);
-        for (std::uint32_t i = 0; i < made.layer.prims.size(); ++i) {
-            UsdPrim& prim = made.layer.prims[i];
+        for (UsdPrim& prim : made.layer.prims) {
             prim.layer = index;
             for (UsdAttribute& attribute : prim.attributes) {
                 attribute.value.layer = index;
@@ -615,11 +614,12 @@ private:
                 const Key key = key_of(arc);
                 if (!places.contains(key)) places[key] = listed.insert(listed.end(), {key, &site, &arc});
             }
-            for (auto arc = arcs.rbegin(); arc != arcs.rend(); ++arc) {
-                if (!is_said(*arc, UsdListEdit::prepends)) continue;
-                const Key key = key_of(*arc);
+            for (std::size_t last = arcs.size(); last-- > 0;) {
+                const UsdArc& arc = arcs[last];
+                if (!is_said(arc, UsdListEdit::prepends)) continue;
+                const Key key = key_of(arc);
                 remove(key);
-                places[key] = listed.insert(listed.begin(), {key, &site, &*arc});
+                places[key] = listed.insert(listed.begin(), {key, &site, &arc});
             }
             for (const UsdArc& arc : arcs) {
                 if (!is_said(arc, UsdListEdit::appends)) continue;
