@@ -106,16 +106,16 @@ Checked check_entry(const Archive& archive, const ArchiveEntry& entry, const Pro
 
 // The document and every photometry in it, as strictly as a profile.
 Checked check_gldf(const std::string& bytes, const std::string& file, const ProfileInputOptions& options) {
-    Result<Gldf> gldf = read_gldf(bytes, file);
+    const Result<Archive> archive = Archive::open(bytes, file);
+    if (!archive) return unreadable(archive.error());
+    Result<Gldf> gldf = read_gldf(*archive);
     if (!gldf) return unreadable(gldf.error());
     Checked checked;
     checked.diagnostics = gldf->diagnostics;
     if (options.read.strict) {
-        const Result<Gldf> strict = read_gldf(bytes, file, true);
+        const Result<Gldf> strict = read_gldf(*archive, true);
         if (!strict) checked.diagnostics = strict.error().diagnostics;
     }
-    const Result<Archive> archive = Archive::open(bytes, file);
-    if (!archive) return unreadable(archive.error());
     std::map<std::string, std::optional<double>> fluxes; // of entries, if they can be read
     for (const GldfFile& one : gldf->files) {
         if (one.entry.empty() || !one.content_type.starts_with("ldc")) continue;

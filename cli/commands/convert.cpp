@@ -137,29 +137,27 @@ Result<Converted> convert_to_gldf(const Job& job, const Request& request) {
     if (!loaded) return pass_on(loaded);
     std::string inside = std::move(loaded->bytes);
     if (is_archive(inside)) {
-        Result<GldfProfile> chosen = gldf_profile(inside, job.input, input.read.choice);
+        const Result<Archive> archive = Archive::open(inside, job.input);
+        if (!archive) return Unexpected(archive.error());
+        Result<GldfProfile> chosen = gldf_profile(*archive, input.read.choice);
         if (!chosen) return pass_on(chosen);
         inside = std::move(chosen->bytes);
     }
     Converted converted;
     converted.diagnostics = std::move(loaded->diagnostics);
     // A GLDF has one photometric file for a light: what stands beside it would be lost.
-    if (const auto* const ies = std::get_if<IesFile>(&loaded->profile.file);
-        ies != nullptr && !ies->tilt.factors.empty() && ies->tilt_keyword != "INCLUDE") {
+    if (std::optional<std::string> with_factors = write_with_tilt_factors(loaded->profile)) {
         const WebCode code = "WEB0217";
-        converted.diagnostics.push_back(remark_of(
-            *code, loaded->profile.source,
-            fmt::format("the factors of TILT={} are written as TILT=INCLUDE", shown_text(ies->tilt_keyword))));
-        IesFile with_factors = *ies;
-        with_factors.tilt_keyword = "INCLUDE";
-        inside = write_ies(with_factors);
+        converted.diagnostics.push_back(
+            remark_of(*code, loaded->profile.source,
+                      fmt::format("the factors of TILT={} are written as TILT=INCLUDE",
+                                  shown_text(std::get<IesFile>(loaded->profile.file).tilt_keyword))));
+        inside = *std::move(with_factors);
     }
     GldfProduct product = product_of(*loaded, input, converted.diagnostics);
-    const std::string_view ending = std::holds_alternative<IesFile>(loaded->profile.file)   ? "ies"
-                                    : std::holds_alternative<LdtFile>(loaded->profile.file) ? "ldt"
-                                                                                            : "xml";
     const std::string stem = without_extension(file_name(job.output == "-" ? job.input : job.output));
-    product.file = fmt::format("{}.{}", stem.empty() || stem == "-" ? "profile" : stem, ending);
+    product.file =
+        fmt::format("{}.{}", stem.empty() || stem == "-" ? "profile" : stem, profile_ending(loaded->profile));
     const std::string bytes = write_gldf(inside, product);
     Result<Profile> again = read_profile(bytes, job.output);
     Result<ResolvedWeb> web = again ? resolve_web(*again, input.resolve) : Result<ResolvedWeb>(pass_on(again));
@@ -271,10 +269,10 @@ Result<int> extract(const Arguments& arguments, const std::vector<std::string>& 
     const Result<std::string> bytes =
         input == "-" ? read_standard_input(limit("archive-bytes")) : read_file(input, limit("archive-bytes"));
     if (!bytes) return Unexpected(bytes.error());
-    const Result<Gldf> gldf = read_gldf(*bytes, input, arguments.has("--strict"));
-    if (!gldf) return Unexpected(gldf.error());
     const Result<Archive> archive = Archive::open(*bytes, input);
     if (!archive) return Unexpected(archive.error());
+    const Result<Gldf> gldf = read_gldf(*archive, arguments.has("--strict"));
+    if (!gldf) return Unexpected(gldf.error());
     std::vector<OutputFile> files;
     std::vector<std::string> outputs;
     std::set<std::string> entries; // each once, whatever identifiers name it

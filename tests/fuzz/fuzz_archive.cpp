@@ -40,7 +40,9 @@ void read_luminaire(const std::string& bytes) {
         FoundScene loaded = *scene;
         load_scene_profiles(loaded, options);
     }
-    const Result<GldfProfile> profile = gldf_profile(bytes, "fuzz");
+    const Result<Archive> opened = Archive::open(bytes, "fuzz");
+    const Result<GldfProfile> profile =
+        opened ? gldf_profile(*opened) : Result<GldfProfile>(Unexpected(opened.error()));
     if (profile) fuzz::require(!profile->name.empty());
 }
 

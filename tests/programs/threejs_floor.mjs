@@ -4,6 +4,16 @@ import * as THREE from 'three';
 
 export const size = 32;
 
+// What a WebGLRenderer makes of it: red, green and blue of each pixel.
+export function webglPixels(renderer, scene, camera) {
+  const target = new THREE.WebGLRenderTarget(size, size, { type: THREE.FloatType });
+  renderer.setRenderTarget(target);
+  renderer.render(scene, camera);
+  const pixels = new Float32Array(4 * size * size);
+  renderer.readRenderTargetPixels(target, 0, 0, size, size, pixels);
+  return pixels.filter((_, i) => i % 4 < 3);
+}
+
 // Waits for the textures that lights load.
 async function loaded(light) {
   if (!light.map?.isTexture) return;

@@ -28,15 +28,6 @@ namespace gonio::interchange_detail {
 
 namespace {
 
-// LM-63 with the factors of TILT that another file has, which is not where this one goes; nothing if it needs none.
-std::optional<std::string> tilt_included(const Profile& profile) {
-    const auto* const ies = std::get_if<IesFile>(&profile.file);
-    if (ies == nullptr || ies->tilt.factors.empty() || ies->tilt_keyword == "INCLUDE") return std::nullopt;
-    IesFile made = *ies;
-    made.tilt_keyword = "INCLUDE";
-    return write_ies(made);
-}
-
 // A photometric file of the archive, measured.
 struct Measured {
     std::size_t profile = 0; // of FoundScene::profiles
@@ -118,15 +109,9 @@ private:
         made.lamps_lm = declared_flux_lm(*profile);
         made.profile = scene_.profiles.size();
         FoundProfile found;
-        for (const char c : without_extension(file_name(gldf_.files[file].entry))) {
-            const bool is_plain =
-                (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-            found.name += is_plain ? c : '_';
-        }
-        found.ending = std::holds_alternative<IesFile>(profile->file)   ? "ies"
-                       : std::holds_alternative<LdtFile>(profile->file) ? "ldt"
-                                                                        : "xml";
-        found.bytes = tilt_included(*profile).value_or(std::move(*bytes));
+        found.name = plain_name(without_extension(file_name(gldf_.files[file].entry)));
+        found.ending = profile_ending(*profile);
+        found.bytes = write_with_tilt_factors(*profile).value_or(std::move(*bytes));
         scene_.profiles.push_back(std::move(found));
         return made;
     }
@@ -260,10 +245,10 @@ private:
 
 Result<FoundScene> read_gldf_lights(std::string_view bytes, const std::string& source,
                                     const SceneReadOptions& options) {
-    const Result<Gldf> gldf = read_gldf(bytes, source);
-    if (!gldf) return Unexpected(gldf.error());
     Result<Archive> archive = Archive::open(bytes, source);
     if (!archive) return pass_on(archive);
+    const Result<Gldf> gldf = read_gldf(*archive);
+    if (!gldf) return Unexpected(gldf.error());
     return GldfLights(*gldf, *archive, options).read();
 }
 

@@ -92,10 +92,7 @@ std::string unescaped(std::string_view uri) {
 }
 
 std::string file_stem(std::string_view name) {
-    std::string plain;
-    for (const char c : name.substr(0, 60))
-        plain += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ? c : '_';
-    return plain;
+    return plain_name(name.substr(0, 60));
 }
 
 class GltfReader {

@@ -62,6 +62,13 @@ void warn(FoundScene& scene, SceneCode code, Location location, std::string mess
     scene.diagnostics.push_back(std::move(said));
 }
 
+std::string plain_name(std::string_view name) {
+    std::string plain;
+    for (const char c : name)
+        plain += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ? c : '_';
+    return plain;
+}
+
 void only_list(FoundLight& light, std::string why, std::string hint) {
     light.shape.reset();
     remark(light, "SCN0203", std::move(why), std::move(hint));

@@ -482,11 +482,7 @@ private:
         Result<std::string> bytes = archive.read(*entry);
         if (!bytes) return std::nullopt;
         FoundProfile found;
-        for (const char c : without_extension(file_name(entry->name))) {
-            const bool is_plain =
-                (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-            found.name += is_plain ? c : '_';
-        }
+        found.name = plain_name(without_extension(file_name(entry->name)));
         found.bytes = std::move(*bytes);
         at->second = scene_.profiles.size();
         scene_.profiles.push_back(std::move(found));

@@ -21,16 +21,6 @@ namespace {
 constexpr std::uint32_t no_prim = 0xffffffff;
 constexpr std::size_t no_file = std::string::npos;
 
-// Paths and names of others, short and plain for messages.
-std::string shown(std::string_view text) {
-    constexpr std::size_t longest = 80;
-    std::string plain(text.substr(0, longest));
-    if (has_control_characters(plain))
-        for (char& c : plain)
-            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
-    return plain;
-}
-
 // Without ".", and without ".." where a folder is left that was entered.
 std::string normalised(std::string_view path) {
     std::vector<std::string_view> parts;
@@ -260,7 +250,7 @@ private:
     // A layer that another one names; nothing if it is missing, which is said.
     Result<std::optional<std::uint32_t>> find_layer(std::uint32_t from, const UsdArc& arc) {
         const auto place = [&] { return stage_.place(from, arc.at); };
-        const std::string written = shown(arc.asset);
+        const std::string written = shown_text(arc.asset);
         const auto missing = [&](std::string why, std::string hint = {}) -> Result<std::optional<std::uint32_t>> {
             warn("SCN0107", from, arc.at, fmt::format("the layer '{}' is left out: {}", written, why), std::move(hint));
             return std::optional<std::uint32_t>();
@@ -366,7 +356,7 @@ private:
             if (!*below) continue;
             if (std::find(active.begin(), active.end(), **below) != active.end())
                 return scene_error("SCN0104", stage_.place(layer, arc.at),
-                                   fmt::format("the layer '{}' is among its own sublayers", shown(arc.asset)));
+                                   fmt::format("the layer '{}' is among its own sublayers", shown_text(arc.asset)));
             const UsdTimes own = nested(times, arc.times);
             if (!is_finite(own)) return beyond_numbers(layer, arc);
             if (Result<void> added = add_sublayers(**below, own, stack, active); !added) return added;
@@ -407,7 +397,7 @@ private:
     std::string path_of(const Site& site) const {
         std::string path;
         for (const std::string_view name : names_of(site))
-            path.append("/").append(shown(name));
+            path.append("/").append(shown_text(name));
         return path;
     }
 
@@ -441,7 +431,7 @@ private:
         std::pair<std::uint32_t, std::string> key(stack, path);
         if (std::find(active_.begin(), active_.end(), key) != active_.end())
             return scene_error("SCN0104", place_of(from, at),
-                               fmt::format("the prim '{}' is composed of itself", shown(path)));
+                               fmt::format("the prim '{}' is composed of itself", shown_text(path)));
         if (active_.size() > limit("scene-depth").value)
             return scene_error("SCN0108", place_of(from, at),
                                fmt::format("references nested deeper than {}", to_text(limit("scene-depth"))),
@@ -534,7 +524,7 @@ private:
                     if (*found == nullptr)
                         warn("SCN0201", site.layer, prim_at({site.stack, site.layer, first_of(of), {}}).offset,
                              fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
-                                         shown(of.set), shown(path_of(site))));
+                                         shown_text(of.set), shown_text(path_of(site))));
                 }
                 const Selected& one = choice->second;
                 if (one.variant == nullptr) continue;
@@ -650,26 +640,26 @@ private:
             if (path.empty()) {
                 warn("SCN0107", site.layer, arc.at,
                      fmt::format("the layer '{}' has no defaultPrim: the reference to it is left out",
-                                 shown(arc.asset)));
+                                 shown_text(arc.asset)));
                 return {};
             }
             if (!path.starts_with('/')) path.insert(0, "/");
         }
         if (!path.starts_with('/') || path.size() < 2 || path.find_first_of(".{") != std::string::npos) {
             warn("SCN0107", site.layer, arc.at,
-                 fmt::format("'<{}>' is left out: only absolute paths of prims are followed", shown(path)));
+                 fmt::format("'<{}>' is left out: only absolute paths of prims are followed", shown_text(path)));
             return {};
         }
         if (path.ends_with('/')) path.pop_back();
         if (stack == site.stack && is_within(site, path))
-            return scene_error(
-                "SCN0104", place_of(site, arc.at),
-                fmt::format("the prim '{}' is composed of itself or of a prim that it is in", shown(path_of(site))));
+            return scene_error("SCN0104", place_of(site, arc.at),
+                               fmt::format("the prim '{}' is composed of itself or of a prim that it is in",
+                                           shown_text(path_of(site))));
         if (Result<void> entered = enter(stack, path, site, arc.at); !entered) return entered;
         Result<std::vector<Site>> target = base_of(stack, path, site, arc.at);
         if (!target) return pass_on(target);
         if (target->empty() && arc.kind != UsdArcKind::inherit && arc.kind != UsdArcKind::specialize)
-            warn("SCN0107", site.layer, arc.at, fmt::format("there is no prim '{}' to refer to", shown(path)));
+            warn("SCN0107", site.layer, arc.at, fmt::format("there is no prim '{}' to refer to", shown_text(path)));
         const UsdTimes times = nested(site.times, arc.times);
         if (!is_finite(times)) return beyond_numbers(site.layer, arc);
         for (Site& one : *target) {

@@ -99,6 +99,7 @@ bool is_gldf(std::string_view bytes);
 
 // Fails (malformed, unsupported) on a broken archive or document, and with `strict` on departures from the schema.
 Result<Gldf> read_gldf(std::string_view bytes, const std::string& source, bool strict = false);
+Result<Gldf> read_gldf(const Archive& archive, bool strict = false); // of one that is open
 
 // The variant of that identifier, else of that name; the first where the text is empty, and null if there is none.
 // Fails (usage) on a name that the GLDF does not have.
@@ -117,8 +118,7 @@ struct GldfProfile {
 // The photometric file of an emitter of a variant or of the whole product, by identifier or name. With neither, that of
 // the first light of the first variant, or of the next light that has a file. Fails as read_gldf() does, (usage) on a
 // name that the GLDF does not have, and (malformed) if the first light of what was asked for has no photometric file.
-Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& source, const GldfChoice& choice = {},
-                                 bool strict = false);
+Result<GldfProfile> gldf_profile(const Archive& archive, const GldfChoice& choice = {}, bool strict = false);
 
 // What a written GLDF says besides its profile.
 struct GldfProduct {

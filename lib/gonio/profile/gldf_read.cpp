@@ -454,12 +454,6 @@ private:
     std::map<std::string_view, std::size_t> last_;
 };
 
-Result<Gldf> read_gldf(const Archive& archive, bool strict) {
-    Result<std::unique_ptr<ArchiveXml>> xml = ArchiveXml::read(archive, product_file, "Root");
-    if (!xml) return pass_on(xml);
-    return GldfReader(archive, **xml, strict).read();
-}
-
 // By identifier, else by name.
 template<class Item, class NameOf>
 Result<std::size_t> chosen(std::string_view what, const std::string& wanted, const std::vector<Item>& items,
@@ -520,6 +514,12 @@ Result<Gldf> read_gldf(std::string_view bytes, const std::string& source, bool s
     return read_gldf(*archive, strict);
 }
 
+Result<Gldf> read_gldf(const Archive& archive, bool strict) {
+    Result<std::unique_ptr<ArchiveXml>> xml = ArchiveXml::read(archive, product_file, "Root");
+    if (!xml) return pass_on(xml);
+    return GldfReader(archive, **xml, strict).read();
+}
+
 Result<const GldfVariant*> choose_variant(const Gldf& gldf, const std::string& name) {
     if (name.empty()) return gldf.variants.empty() ? nullptr : gldf.variants.data();
     Result<std::size_t> variant =
@@ -539,11 +539,9 @@ ReadBeside reader_in(const Archive& archive, const std::string& entry) {
     };
 }
 
-Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& source, const GldfChoice& choice,
-                                 bool strict) {
-    Result<Archive> archive = Archive::open(bytes, source);
-    if (!archive) return pass_on(archive);
-    Result<Gldf> gldf = read_gldf(*archive, strict);
+Result<GldfProfile> gldf_profile(const Archive& archive, const GldfChoice& choice, bool strict) {
+    const std::string& source = archive.source();
+    Result<Gldf> gldf = read_gldf(archive, strict);
     if (!gldf) return pass_on(gldf);
     GldfProfile profile;
     profile.diagnostics = std::move(gldf->diagnostics);
@@ -595,14 +593,14 @@ Result<GldfProfile> gldf_profile(std::string_view bytes, const std::string& sour
                                 taken == lights.end()
                                     ? std::string()
                                     : fmt::format(" of emitter '{}'", shown(gldf->emitters[taken->emitter].id)))));
-    const ArchiveEntry& entry = *archive->find(file.entry);
+    const ArchiveEntry& entry = *archive.find(file.entry);
     if (entry.size > limit("profile-bytes").value)
         return fail("FIL0104", fmt::format("larger than {}", to_text(limit("profile-bytes"))), std::string(limits_hint),
-                    archive->name_of(entry));
-    Result<std::string> read = archive->read(entry);
+                    archive.name_of(entry));
+    Result<std::string> read = archive.read(entry);
     if (!read) return pass_on(read);
     profile.bytes = std::move(*read);
-    profile.name = archive->name_of(entry);
+    profile.name = archive.name_of(entry);
     std::set<std::size_t> files;
     for (const LightAt& light : lights_of(*gldf, is_asked_for ? emitters : all))
         if (light.file) files.insert(*light.file);

@@ -96,12 +96,12 @@ Result<ProfileFormat> recognise(std::string_view bytes, TextRange text, const st
 
 // One of the photometric files of a GLDF; the factors of TILT are read from the archive, too.
 Result<Profile> read_gldf_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
-    Result<GldfProfile> chosen = gldf_profile(bytes, source, options.choice, options.strict);
+    Result<Archive> archive = Archive::open(bytes, source);
+    if (!archive) return pass_on(archive);
+    Result<GldfProfile> chosen = gldf_profile(*archive, options.choice, options.strict);
     if (!chosen) return pass_on(chosen);
     if (is_archive(chosen->bytes))
         return archive_error("GLD0101", {chosen->name, 0, 0}, "the photometric file is an archive itself");
-    Result<Archive> archive = Archive::open(bytes, source);
-    if (!archive) return pass_on(archive);
     ReadOptions inside = options;
     inside.read_beside = reader_in(*archive, chosen->name.substr(source.size() + 1));
     Result<Profile> profile = read_profile(chosen->bytes, chosen->name, inside);

@@ -8,7 +8,9 @@
 #include <gonio/profile/profile.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #pragma GCC visibility push(default)
 namespace gonio {
@@ -28,6 +30,13 @@ std::string write_tm33(const Tm33File& file);
 
 // The bytes of a profile of any format.
 std::string write_profile(const Profile& profile);
+
+// LM-63 with TILT=INCLUDE and the factors that were read from another file, for where that file does not go; nothing if
+// the profile needs none.
+std::optional<std::string> write_with_tilt_factors(const Profile& profile);
+
+// The ending of a file of the profile's format: "ies", "ldt", "xml".
+std::string_view profile_ending(const Profile& profile);
 
 } // namespace gonio
 #pragma GCC visibility pop

@@ -142,7 +142,8 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
     std::vector<std::uint8_t> is_metal(count);
     std::size_t balls_and_boxes = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        is_metal[i] = has_metal_lobe(core_materials[i]) ? 1 : 0;
+        const std::size_t first = first_with(stage, stage.surfaces[i].material);
+        is_metal[i] = first < i ? is_metal[first] : has_metal_lobe(core_materials[i]) ? 1 : 0;
         const Primitive& geometry = stage.surfaces[i].geometry;
         if (is_metal[i] != 0 && (std::holds_alternative<Ball>(geometry) || std::holds_alternative<Box>(geometry)))
             ++balls_and_boxes;

@@ -47,6 +47,9 @@ void warn(FoundScene& scene, SceneCode code, Location location, std::string mess
 // No shape, and why.
 void only_list(FoundLight& light, std::string why, std::string hint = {});
 
+// The name of a profile, for files of ours: '_' instead of what is not a letter, a digit or '-'.
+std::string plain_name(std::string_view name);
+
 // "1 0.8 0.6".
 std::string numbers_text(const glm::dvec3& v);
 
