@@ -62,6 +62,11 @@ Utf16 utf16_of(std::string_view bytes) {
     return alternates(1) ? Utf16::little_endian : alternates(0) ? Utf16::big_endian : Utf16::no;
 }
 
+bool begins_as_other_file(std::string_view bytes) {
+    return bytes.starts_with(utf8_mark) || bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE") ||
+           other_file(bytes) != nullptr;
+}
+
 // Removes marks, Ctrl-Z and NUL padding from both ends; fails if the rest is not text.
 Result<TextRange> find_text(std::string_view bytes, Report& report) {
     TextRange text{0, bytes.size()};

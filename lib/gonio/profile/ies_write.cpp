@@ -1,4 +1,5 @@
 #include <gonio/profile/number_text.hpp>
+#include <gonio/profile/parse.hpp>
 #include <gonio/profile/write.hpp>
 
 #include <algorithm>
@@ -88,8 +89,8 @@ std::string write_ies(const IesFile& file, std::size_t longest_line) {
     }
     for (const IesKeyword& keyword : file.keywords)
         write_keyword(text, keyword);
-    // A first byte that could begin a byte order mark must not come first; blanks before a label have no meaning.
-    if (!text.empty() && static_cast<unsigned char>(text.front()) >= 0x80U) text.insert(text.begin(), ' ');
+    // Blanks before a label have no meaning.
+    if (profile_detail::begins_as_other_file(text)) text.insert(text.begin(), ' ');
     text += "TILT=" + file.tilt_keyword;
     text += line_end;
 

@@ -1,4 +1,5 @@
 #include <gonio/profile/number_text.hpp>
+#include <gonio/profile/parse.hpp>
 #include <gonio/profile/write.hpp>
 
 #include <string_view>
@@ -36,7 +37,8 @@ private:
 
 std::string write_ldt(const LdtFile& file) {
     Lines lines;
-    lines.add(file.company);
+    const bool hidden = profile_detail::begins_as_other_file(file.company);
+    lines.add(hidden ? ' ' + file.company : file.company);
     lines.add(file.type_indicator);
     lines.add(file.symmetry);
     lines.add(file.plane_count);

@@ -30,6 +30,10 @@ Utf16 utf16_of(std::string_view bytes);
 // The text in `bytes`: without marks, Ctrl-Z and NUL padding at its ends. Fails if it is not text.
 Result<TextRange> find_text(std::string_view bytes, Report& report);
 
+// Whether what begins like this is taken for a file of another kind or for a byte order mark; writers put a blank
+// before text that does.
+bool begins_as_other_file(std::string_view bytes);
+
 Result<IesFile> parse_ies(TextRange text, Report& report, const ReadBeside& read_beside);
 Result<LdtFile> parse_ldt(TextRange text, Report& report);
 Result<Tm33File> parse_tm33(TextRange text, Report& report);

@@ -5,6 +5,7 @@
 #include "equal.hpp"
 #include "expect.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -170,14 +171,24 @@ TEST(ProfileWrite, LongListsAreBrokenWhereTheVersionAsks) {
     }
 }
 
-// A label that starts with the bytes of a byte order mark must not be written as one.
-TEST(ProfileWrite, ALabelIsNoByteOrderMark) {
-    const std::string text = " \xEF\xBB\xBFlabel\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 0\n";
-    const Result<Profile> read = read_profile(text, "lamp");
+// A label that starts like another kind of file, or with the bytes of a byte order mark, is not written as one.
+TEST(ProfileWrite, ALabelIsNoOtherFile) {
+    for (const char* const label : {"\xEF\xBB\xBFlabel", "PK\x03\x04 label", "GIF8 lamps", "%PDF-lamps"}) {
+        const std::string text = fmt::format(" {}\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 0\n", label);
+        const Result<Profile> read = read_profile(text, "lamp");
+        ASSERT_TRUE(read) << said(read);
+        const Result<Profile> again = read_profile(write_ies(std::get<IesFile>(read->file)), "lamp");
+        ASSERT_TRUE(again) << said(again);
+        EXPECT_TRUE(equal(read->file, again->file));
+    }
+}
+
+TEST(ProfileWrite, ACompanyIsNoOtherFile) {
+    LdtFile file = an_ldt_file();
+    file.company = "GIF8 lamps";
+    const Result<Profile> read = read_profile(write_ldt(file), "lamp");
     ASSERT_TRUE(read) << said(read);
-    const Result<Profile> again = read_profile(write_ies(std::get<IesFile>(read->file)), "lamp");
-    ASSERT_TRUE(again) << said(again);
-    EXPECT_TRUE(equal(read->file, again->file));
+    EXPECT_EQ(std::get<LdtFile>(read->file).company, " GIF8 lamps");
 }
 
 } // namespace
