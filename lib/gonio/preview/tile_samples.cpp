@@ -1,10 +1,12 @@
 #include <gonio/preview/detail/tile_samples.hpp>
+#include <gonio/scene/detail/rays_from.hpp>
 #include <gonio/scene/emitter.hpp>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace gonio::detail {
 
@@ -42,27 +44,48 @@ TileSamples::TileSamples(const RayScene& scene, int left, int top)
     const RayCone cone = cone_of(scene.rays, left_ - 1.0, top_ - 1.0, right_ + 1.0, bottom_ + 1.0);
     scene.bodies.meeting_cone(cone, seen_lights_);
     std::sort(seen_lights_.begin(), seen_lights_.end());
-    const std::size_t count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(bottom_ - top_ + 2);
-    centers_.reserve(count);
-    for (int y = top_ - 1; y <= bottom_; ++y)
-        for (int x = left_ - 1; x <= right_; ++x)
-            centers_.push_back(look(x + 0.5, y + 0.5));
-    on_outline_.resize(count);
-    fine_index_.resize(count, -1);
+    for (std::uint32_t i = 0; i < scene.stage.surfaces.size(); ++i) {
+        const std::optional<Ball> around = bounds(scene.stage.surfaces[i].geometry);
+        if (!around || cone.meets(around->center, around->radius)) seen_surfaces_.push_back(i);
+    }
+    rays_.origin = eye();
+    look_through_centers();
+    on_outline_.resize(centers_.size());
+    fine_index_.resize(centers_.size(), -1);
     find_outlines();
     collect();
     bound_surfaces();
 }
 
-Seen TileSamples::look(double x, double y) const {
-    const Ray ray = scene_.rays.ray(x, y);
-    Seen seen;
-    seen.view = -ray.direction;
-    const std::optional<Hit> hit = first_hit(scene_.stage, ray);
-    if (hit) {
-        seen.what = Seen::What::surface;
-        seen.hit = *hit;
+void TileSamples::look_through_centers() {
+    const auto columns = static_cast<std::size_t>(stride_);
+    const auto rows = static_cast<std::size_t>(bottom_ - top_ + 2);
+    rays_.resize(columns * rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+        const auto of_row = [&](std::vector<double>& axis) { return std::span(axis).subspan(row * columns, columns); };
+        scene_.rays.directions(left_ - 0.5, top_ - 0.5 + static_cast<double>(row), of_row(rays_.x), of_row(rays_.y),
+                               of_row(rays_.z));
     }
+    centers_.resize(rays_.size());
+    look(centers_);
+}
+
+void TileSamples::look(std::span<Seen> seen) {
+    first_.begin(rays_.size());
+    for (const std::uint32_t i : seen_surfaces_)
+        meet_first(scene_.stage.surfaces[i].geometry, rays_, i, first_);
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        const Ray ray = rays_.at(i);
+        seen[i].view = -ray.direction;
+        if (std::isfinite(first_.distance[i])) {
+            seen[i].what = Seen::What::surface;
+            seen[i].hit = hit_on(scene_.stage, first_.number[i], first_.distance[i], ray);
+        }
+        if (!seen_lights_.empty()) find_lights(ray, seen[i]);
+    }
+}
+
+void TileSamples::find_lights(const Ray& ray, Seen& seen) const {
     for (const std::uint32_t light : seen_lights_) {
         const std::optional<double> distance = distance_to(scene_.lights[light], ray);
         if (!distance || (seen.what != Seen::What::nothing && *distance >= seen.hit.distance)) continue;
@@ -70,7 +93,6 @@ Seen TileSamples::look(double x, double y) const {
         seen.light = light;
         seen.hit.distance = *distance;
     }
-    return seen;
 }
 
 void TileSamples::find_outlines() {
@@ -102,10 +124,12 @@ const TileSamples::FineSamples& TileSamples::fine(std::size_t center) {
         const auto x = static_cast<double>(left_ - 1 + at % stride_);
         const std::ptrdiff_t row = at / stride_;
         const auto y = static_cast<double>(top_ - 1 + row);
+        rays_.resize(samples.size());
         std::size_t next = 0;
         for (int j = 0; j < edge_samples; ++j)
             for (int i = 0; i < edge_samples; ++i)
-                samples[next++] = look(x + (i + 0.5) / edge_samples, y + (j + 0.5) / edge_samples);
+                rays_.set(next++, scene_.rays.ray(x + (i + 0.5) / edge_samples, y + (j + 0.5) / edge_samples));
+        look(samples);
     }
     return fine_[static_cast<std::size_t>(index)];
 }

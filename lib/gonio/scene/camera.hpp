@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <optional>
+#include <span>
 
 #pragma GCC visibility push(default)
 namespace gonio {
@@ -34,6 +35,10 @@ public:
     // The ray through the point (x, y) of the picture, in pixels from its top left corner: pixel (i, j) has its centre
     // at (i + ½, j + ½).
     Ray ray(double x, double y) const;
+
+    // The directions of the rays through (x + i, y), for each i of the spans, which have one size.
+    void directions(double x, double y, std::span<double> along_x, std::span<double> along_y,
+                    std::span<double> along_z) const;
 
     // The point of the picture, or of its plane beyond its sides, at which a point of the world appears: the ray()
     // through it meets that point. Nothing where the world's point is not in front of the eye.

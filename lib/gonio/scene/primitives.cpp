@@ -1,3 +1,4 @@
+#include <gonio/scene/detail/rays_from.hpp>
 #include <gonio/scene/primitives.hpp>
 
 #include <glm/common.hpp>
@@ -24,7 +25,78 @@ Approach approach(const glm::dvec3& to_point, const glm::dvec3& direction) {
     return {along, glm::dot(miss, miss)};
 }
 
-std::optional<double> ahead(double t) {
+// Distances along a ray to where it enters a shape; 0 where it does not. Inline, since pictures ask for many.
+
+inline double ahead(double t) {
+    return t > 0.0 ? t : 0.0;
+}
+
+inline double entry(const Plane& plane, const Ray& ray) {
+    const double facing = glm::dot(ray.direction, plane.normal);
+    if (!(facing < 0.0)) return 0.0;
+    return ahead(glm::dot(plane.point - ray.origin, plane.normal) / facing);
+}
+
+inline double entry(const Panel& panel, const Ray& ray) {
+    const double t = entry(Plane{panel.frame.origin, panel.frame.z}, ray);
+    if (t == 0.0) return 0.0;
+    const glm::dvec3 at = ray.origin + t * ray.direction - panel.frame.origin;
+    const bool within = std::abs(glm::dot(at, panel.frame.x)) <= 0.5 * panel.width &&
+                        std::abs(glm::dot(at, panel.frame.y)) <= 0.5 * panel.height;
+    return within ? t : 0.0;
+}
+
+inline double entry(const Ball& ball, const Ray& ray) {
+    const Approach closest = approach(ball.center - ray.origin, ray.direction);
+    const double half_chord2 = ball.radius * ball.radius - closest.miss2;
+    if (!(half_chord2 >= 0.0)) return 0.0;
+    return ahead(closest.along - std::sqrt(half_chord2));
+}
+
+inline double entry(const Box& box, const Ray& ray) {
+    const glm::dvec3 origin = box.frame.to_local(ray.origin - box.frame.origin);
+    const glm::dvec3 direction = box.frame.to_local(ray.direction);
+    double entry = -std::numeric_limits<double>::infinity();
+    double exit = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (direction[axis] == 0.0) {
+            if (!(std::abs(origin[axis]) < box.half_size[axis])) return 0.0;
+            continue;
+        }
+        const double towards = std::copysign(box.half_size[axis], direction[axis]);
+        entry = std::max(entry, (-towards - origin[axis]) / direction[axis]);
+        exit = std::min(exit, (towards - origin[axis]) / direction[axis]);
+    }
+    return entry <= exit ? ahead(entry) : 0.0;
+}
+
+inline double entry(const Capsule& capsule, const Ray& ray) {
+    const glm::dvec3 to_center = capsule.center - ray.origin;
+    // Most rays miss most capsules.
+    const double reach = capsule.half_length + capsule.radius;
+    if (approach(to_center, ray.direction).miss2 > reach * reach) return 0.0;
+    const double along_axis = glm::dot(ray.direction, capsule.axis);
+    const glm::dvec3 across = ray.direction - along_axis * capsule.axis;
+    const double speed2 = glm::dot(across, across);
+    // The ray's line enters through the side; otherwise through the end on the side where it enters the infinite
+    // cylinder; if it runs along the axis, through the end that it reaches first.
+    double end = along_axis < 0.0 ? 1.0 : -1.0;
+    if (speed2 > 1e-20) {
+        const double closest = glm::dot(to_center, across) / speed2;
+        const glm::dvec3 miss = to_center - glm::dot(to_center, capsule.axis) * capsule.axis - closest * across;
+        const double half_chord2 = (capsule.radius * capsule.radius - glm::dot(miss, miss)) / speed2;
+        if (!(half_chord2 >= 0.0)) return 0.0;
+        const double t = closest - std::sqrt(half_chord2);
+        const double height = t * along_axis - glm::dot(to_center, capsule.axis);
+        if (std::abs(height) <= capsule.half_length) return ahead(t);
+        end = height < 0.0 ? -1.0 : 1.0;
+    }
+    return entry(Ball{capsule.center + end * capsule.half_length * capsule.axis, capsule.radius}, ray);
+}
+
+template<class Shape>
+std::optional<double> found(const Shape& shape, const Ray& ray) {
+    const double t = entry(shape, ray);
     return t > 0.0 ? std::optional(t) : std::nullopt;
 }
 
@@ -96,66 +168,36 @@ Panel panel_facing(const glm::dvec3& center, const glm::dvec3& normal, const glm
 }
 
 std::optional<double> distance_to(const Plane& plane, const Ray& ray) {
-    const double facing = glm::dot(ray.direction, plane.normal);
-    if (!(facing < 0.0)) return std::nullopt;
-    return ahead(glm::dot(plane.point - ray.origin, plane.normal) / facing);
+    return found(plane, ray);
 }
 
 std::optional<double> distance_to(const Panel& panel, const Ray& ray) {
-    const std::optional<double> t = distance_to(Plane{panel.frame.origin, panel.frame.z}, ray);
-    if (!t) return std::nullopt;
-    const glm::dvec3 at = ray.origin + *t * ray.direction - panel.frame.origin;
-    const bool within = std::abs(glm::dot(at, panel.frame.x)) <= 0.5 * panel.width &&
-                        std::abs(glm::dot(at, panel.frame.y)) <= 0.5 * panel.height;
-    return within ? t : std::nullopt;
+    return found(panel, ray);
 }
 
 std::optional<double> distance_to(const Ball& ball, const Ray& ray) {
-    const Approach closest = approach(ball.center - ray.origin, ray.direction);
-    const double half_chord2 = ball.radius * ball.radius - closest.miss2;
-    if (!(half_chord2 >= 0.0)) return std::nullopt;
-    return ahead(closest.along - std::sqrt(half_chord2));
+    return found(ball, ray);
 }
 
 std::optional<double> distance_to(const Box& box, const Ray& ray) {
-    const glm::dvec3 origin = box.frame.to_local(ray.origin - box.frame.origin);
-    const glm::dvec3 direction = box.frame.to_local(ray.direction);
-    double entry = -std::numeric_limits<double>::infinity();
-    double exit = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] == 0.0) {
-            if (!(std::abs(origin[axis]) < box.half_size[axis])) return std::nullopt;
-            continue;
-        }
-        const double towards = std::copysign(box.half_size[axis], direction[axis]);
-        entry = std::max(entry, (-towards - origin[axis]) / direction[axis]);
-        exit = std::min(exit, (towards - origin[axis]) / direction[axis]);
-    }
-    return entry <= exit ? ahead(entry) : std::nullopt;
+    return found(box, ray);
 }
 
 std::optional<double> distance_to(const Capsule& capsule, const Ray& ray) {
-    const glm::dvec3 to_center = capsule.center - ray.origin;
-    // Most rays miss most capsules.
-    const double reach = capsule.half_length + capsule.radius;
-    if (approach(to_center, ray.direction).miss2 > reach * reach) return std::nullopt;
-    const double along_axis = glm::dot(ray.direction, capsule.axis);
-    const glm::dvec3 across = ray.direction - along_axis * capsule.axis;
-    const double speed2 = glm::dot(across, across);
-    // The ray's line enters through the side; otherwise through the end on the side where it enters the infinite
-    // cylinder; if it runs along the axis, through the end that it reaches first.
-    double end = along_axis < 0.0 ? 1.0 : -1.0;
-    if (speed2 > 1e-20) {
-        const double closest = glm::dot(to_center, across) / speed2;
-        const glm::dvec3 miss = to_center - glm::dot(to_center, capsule.axis) * capsule.axis - closest * across;
-        const double half_chord2 = (capsule.radius * capsule.radius - glm::dot(miss, miss)) / speed2;
-        if (!(half_chord2 >= 0.0)) return std::nullopt;
-        const double t = closest - std::sqrt(half_chord2);
-        const double height = t * along_axis - glm::dot(to_center, capsule.axis);
-        if (std::abs(height) <= capsule.half_length) return ahead(t);
-        end = height < 0.0 ? -1.0 : 1.0;
-    }
-    return distance_to(Ball{capsule.center + end * capsule.half_length * capsule.axis, capsule.radius}, ray);
+    return found(capsule, ray);
+}
+
+void detail::meet_first(const Primitive& primitive, const RaysFrom& rays, std::uint32_t number, FirstMet& first) {
+    std::visit(
+        [&](const auto& shape) {
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const double t = entry(shape, rays.at(i));
+                if (!(t > 0.0 && t < first.distance[i])) continue;
+                first.distance[i] = t;
+                first.number[i] = number;
+            }
+        },
+        primitive);
 }
 
 bool is_sheet(const Primitive& primitive) {

@@ -1,3 +1,4 @@
+#include <gonio/scene/detail/rays_from.hpp>
 #include <gonio/scene/stage.hpp>
 
 #include <fmt/format.h>
@@ -73,9 +74,13 @@ std::optional<Hit> first_hit(const Stage& stage, const Ray& ray) {
         surface = i;
     }
     if (!nearest) return std::nullopt;
-    const glm::dvec3 position = ray.origin + *nearest * ray.direction;
+    return detail::hit_on(stage, surface, *nearest, ray);
+}
+
+Hit detail::hit_on(const Stage& stage, std::size_t surface, double distance, const Ray& ray) {
+    const glm::dvec3 position = ray.origin + distance * ray.direction;
     const Primitive& met = stage.surfaces[surface].geometry;
-    return Hit{*nearest, surface, face_at(met, position), position, normal_at(met, position)};
+    return {distance, surface, face_at(met, position), position, normal_at(met, position)};
 }
 
 } // namespace gonio

@@ -3,6 +3,7 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/detail/rays_from.hpp>
 #include <gonio/scene/emissive_lights.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/light_tree.hpp>
@@ -92,7 +93,10 @@ public:
     std::uint32_t pixel_of(std::size_t center) const;
 
 private:
-    Seen look(double x, double y) const;
+    void look_through_centers();
+    // What rays_ meet.
+    void look(std::span<Seen> seen);
+    void find_lights(const Ray& ray, Seen& seen) const;
     void find_outlines();
     void collect();
     void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center);
@@ -101,7 +105,10 @@ private:
     const RayScene& scene_;
     int left_, top_, right_, bottom_;
     std::ptrdiff_t stride_;
-    std::vector<std::uint32_t> seen_lights_; // lights with bodies that the tile's rays may meet
+    std::vector<std::uint32_t> seen_surfaces_; // those that the tile's rays may meet
+    std::vector<std::uint32_t> seen_lights_;   // lights with bodies that they may meet
+    RaysFrom rays_; // those that are being cast
+    FirstMet first_;
     std::vector<Seen> centers_;
     std::vector<std::uint8_t> on_outline_;
     std::vector<std::int32_t> fine_index_;
