@@ -70,12 +70,15 @@ void LitTile::show_emitters() {
 }
 
 void LitTile::show_subjects() {
-    const std::vector<Seen>& centers = tile_.centers();
+    const SeenRays& centers = tile_.centers();
+    const bool none =
+        std::none_of(tile_.surfaces().begin(), tile_.surfaces().end(),
+                     [&](const SurfaceSamples& samples) { return scene_.stage.surfaces[samples.surface].subject; });
+    if (none) return;
     for (std::ptrdiff_t y = 1; y <= tile_.bottom() - tile_.top(); ++y)
         for (std::ptrdiff_t x = 1; x <= tile_.right() - tile_.left(); ++x) {
             const auto center = static_cast<std::size_t>(y * tile_.stride() + x);
-            const Seen& seen = centers[center];
-            if (seen.what == Seen::What::surface && scene_.stage.surfaces[seen.hit.surface].subject)
+            if (centers.is_surface(center) && scene_.stage.surfaces[centers.surface_of(center)].subject)
                 picture_.shows_subject[tile_.pixel_of(center)] = 1;
         }
 }
@@ -105,7 +108,7 @@ void LitTile::add_part(std::uint32_t pixel, std::size_t surface, float share, co
 }
 
 void LitTile::add_to_part(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt) {
-    if (reflected_.empty() || samples.center[i] >= 0) return; // a whole pixel
+    if (samples.center[i] >= 0) return; // a whole pixel
     const auto found = reflected_.find({samples.pixel[i], samples.surface});
     if (found != reflected_.end()) found->second.nt += nt;
 }
@@ -210,7 +213,7 @@ void LitTile::add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3
     for (int channel = 0; channel < 3; ++channel)
         picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
             samples.share[i] * static_cast<float>(nt[channel]);
-    add_to_part(samples, i, samples.share[i] * glm::vec3(nt));
+    if (!reflected_.empty()) add_to_part(samples, i, samples.share[i] * glm::vec3(nt));
     if (options_.illuminance)
         picture_.illuminance_lx.pixels[samples.pixel[i]] +=
             samples.share[i] * static_cast<float>(glm::dot(lx, rec709_luminance));
@@ -286,24 +289,25 @@ void LitTile::find_shadows(const LitLight& light) {
         is_shadowed_ = is_shadowed_ || !bodies.empty();
     }
     if (!is_shadowed_) return;
-    const std::vector<Seen>& centers = tile_.centers();
+    const SeenRays& centers = tile_.centers();
     center_visible_.assign(centers.size(), Visible());
     for (std::size_t i = 0; i < centers.size(); ++i)
-        if (centers[i].what == Seen::What::surface && !light.light.is_emitted_by(centers[i].hit.surface))
-            center_visible_[i] = visible(light, place_of(centers[i]));
+        if (centers.is_surface(i) && !light.light.is_emitted_by(centers.surface_of(i)))
+            center_visible_[i] = visible(
+                light, {centers.surface_of(i), centers.position_of(i), centers.normal_of(i), centers.view_of(i)});
     find_edges();
 }
 
 // Soft shadows are smooth; only a jump from lit to dark between neighbouring pixels needs more points.
 void LitTile::find_edges() {
-    const std::vector<Seen>& centers = tile_.centers();
+    const SeenRays& centers = tile_.centers();
     const std::ptrdiff_t stride = tile_.stride();
     on_shadow_edge_.assign(centers.size(), 0);
     for (std::ptrdiff_t y = 1; y <= tile_.bottom() - tile_.top(); ++y)
         for (std::ptrdiff_t x = 1; x <= tile_.right() - tile_.left(); ++x) {
             const std::ptrdiff_t at = y * stride + x;
             const auto center = static_cast<std::size_t>(at);
-            if (centers[center].what != Seen::What::surface || tile_.on_outline(center)) continue;
+            if (!centers.is_surface(center) || tile_.on_outline(center)) continue;
             const float here = center_visible_[center].lx;
             const std::array neighbours{at - 1, at + 1, at - stride, at + stride};
             const bool jumps = std::any_of(neighbours.begin(), neighbours.end(), [&](std::ptrdiff_t n) {
@@ -380,15 +384,14 @@ void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::s
     shader_.shade(light, samples, first, count, weight);
     std::vector<float>& luminance = picture_.luminance_nt.pixels;
     const Visible all;
+    const auto& rgb = shader_.rgb();
     for (std::size_t i = 0; i < count; ++i) {
         const Visible& through = visible == nullptr ? all : visible[i];
         float* const pixel = luminance.data() + std::size_t{samples.pixel[first + i]} * 3;
-        glm::vec3 nt(0.0F);
-        for (int channel = 0; channel < 3; ++channel) {
-            nt[channel] = weight[i] * through.rgb[channel] * shader_.rgb()[static_cast<std::size_t>(channel)][i];
+        const glm::vec3 nt = weight[i] * through.rgb * glm::vec3(rgb[0][i], rgb[1][i], rgb[2][i]);
+        for (int channel = 0; channel < 3; ++channel)
             pixel[channel] += nt[channel];
-        }
-        add_to_part(samples, first + i, nt);
+        if (!reflected_.empty()) add_to_part(samples, first + i, nt);
     }
     if (!options_.illuminance) return;
     for (std::size_t i = 0; i < count; ++i) {

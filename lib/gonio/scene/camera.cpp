@@ -26,8 +26,7 @@ Ray CameraRays::ray(double x, double y) const {
 void CameraRays::directions(double x, double y, std::span<double> along_x, std::span<double> along_y,
                             std::span<double> along_z) const {
     for (std::size_t i = 0; i < along_x.size(); ++i) {
-        const glm::dvec3 direction =
-            glm::normalize(corner_ + (x + static_cast<double>(i)) * right_ + y * down_);
+        const glm::dvec3 direction = glm::normalize(corner_ + (x + static_cast<double>(i)) * right_ + y * down_);
         along_x[i] = direction.x;
         along_y[i] = direction.y;
         along_z[i] = direction.z;

@@ -13,17 +13,27 @@ void SurfaceSamples::reserve(std::size_t count) {
 
 void SurfaceSamples::add(const SurfacePoint& point, std::uint32_t of_pixel, double share_of_pixel,
                          std::int32_t of_center) {
-    if (pixel.empty()) anchor = point.position;
-    const glm::dvec3 at = point.position - anchor;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        position[a].push_back(static_cast<float>(at[axis]));
-        normal[a].push_back(static_cast<float>(point.normal[axis]));
-        view[a].push_back(static_cast<float>(point.view[axis]));
+    const std::size_t i = add_pixels(point.position, of_pixel, of_center, 1);
+    share[i] = static_cast<float>(share_of_pixel);
+    set(i, point);
+}
+
+std::size_t SurfaceSamples::add_pixels(const glm::dvec3& first_position, std::uint32_t first_pixel,
+                                       std::int32_t first_center, std::size_t count) {
+    const std::size_t first = size();
+    if (first == 0) anchor = first_position;
+    const std::size_t all = first + count;
+    for (auto* arrays : {&position, &normal, &view})
+        for (std::vector<float>& array : *arrays)
+            array.resize(all);
+    share.resize(all, 1.0F);
+    pixel.resize(all);
+    center.resize(all);
+    for (std::size_t i = 0; i < count; ++i) {
+        pixel[first + i] = first_pixel + static_cast<std::uint32_t>(i);
+        center[first + i] = first_center < 0 ? first_center : first_center + static_cast<std::int32_t>(i);
     }
-    share.push_back(static_cast<float>(share_of_pixel));
-    pixel.push_back(of_pixel);
-    center.push_back(of_center);
+    return first;
 }
 
 void SurfaceSamples::finish_chunk() {

@@ -1,12 +1,7 @@
 // A tile of the picture as points on surfaces: rays are cast once, then the points are lit by every light.
 #pragma once
 
-#include <gonio/light/light.hpp>
-#include <gonio/scene/camera.hpp>
-#include <gonio/scene/detail/rays_from.hpp>
-#include <gonio/scene/emissive_lights.hpp>
-#include <gonio/scene/stage.hpp>
-#include <gonio/transport/light_tree.hpp>
+#include <gonio/preview/detail/seen_rays.hpp>
 #include <gonio/transport/surface_samples.hpp>
 
 #include <glm/vec3.hpp>
@@ -14,8 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace gonio::detail {
@@ -24,27 +17,6 @@ inline constexpr int tile_size = 32;   // pixels
 inline constexpr int block_size = 8;   // pixels; their points on one surface form a chunk
 inline constexpr int edge_samples = 4; // along each side of a pixel on an outline
 inline constexpr int square_size = 4;  // pixels; what changes little may be computed at the corners
-
-// What a camera ray hit.
-struct Seen {
-    enum class What : std::uint8_t { nothing, emitter, surface };
-
-    What what = What::nothing;
-    std::uint32_t light = 0; // of the emitter
-    Hit hit;
-    glm::dvec3 view{0.0}; // unit, towards the eye
-};
-
-// What every ray of a picture is tested against.
-struct RayScene {
-    const Stage& stage;
-    std::span<const Light> lights;
-    const CameraRays& rays;
-    const LightTree& bodies;      // of the lights that have a surface which is not the stage's
-    const EmittedLights& emitted; // by surfaces of the stage
-    int width = 0;
-    int height = 0;
-};
 
 class TileSamples {
 public:
@@ -80,7 +52,7 @@ public:
     const std::vector<OpenShare>& open() const { return open_; }
 
     // Centres of the tile's pixels and of one more pixel on each side, in rows of `stride`.
-    const std::vector<Seen>& centers() const { return centers_; }
+    const SeenRays& centers() const { return centers_; }
     std::ptrdiff_t stride() const { return stride_; }
 
     // Whether the pixel of this centre is the mean of several points, because an outline crosses it.
@@ -94,11 +66,11 @@ public:
 
 private:
     void look_through_centers();
-    // What rays_ meet.
-    void look(std::span<Seen> seen);
-    void find_lights(const Ray& ray, Seen& seen) const;
     void find_outlines();
     void collect();
+    SurfaceSamples& samples_of(std::size_t surface);
+    // The centres [first, last) as whole pixels, which all show the same.
+    void add_row(std::size_t first, std::size_t last);
     void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center);
     void bound_surfaces();
 
@@ -107,9 +79,8 @@ private:
     std::ptrdiff_t stride_;
     std::vector<std::uint32_t> seen_surfaces_; // those that the tile's rays may meet
     std::vector<std::uint32_t> seen_lights_;   // lights with bodies that they may meet
-    RaysFrom rays_; // those that are being cast
-    FirstMet first_;
-    std::vector<Seen> centers_;
+    SeenRays centers_;
+    SeenRays within_pixel_; // those of fine() that are being cast
     std::vector<std::uint8_t> on_outline_;
     std::vector<std::int32_t> fine_index_;
     std::vector<FineSamples> fine_;
