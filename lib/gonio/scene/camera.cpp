@@ -25,8 +25,13 @@ Ray CameraRays::ray(double x, double y) const {
 
 void CameraRays::directions(double x, double y, std::span<double> along_x, std::span<double> along_y,
                             std::span<double> along_z) const {
-    for (std::size_t i = 0; i < along_x.size(); ++i) {
-        const glm::dvec3 direction = glm::normalize(corner_ + (x + static_cast<double>(i)) * right_ + y * down_);
+    // Copies, which the compiler knows that the results do not change.
+    const glm::dvec3 corner = corner_;
+    const glm::dvec3 right = right_;
+    const glm::dvec3 down = y * down_;
+    const std::size_t count = along_x.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 direction = glm::normalize(corner + (x + static_cast<double>(i)) * right + down);
         along_x[i] = direction.x;
         along_y[i] = direction.y;
         along_z[i] = direction.z;

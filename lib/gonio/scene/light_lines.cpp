@@ -1,6 +1,8 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/light_lines.hpp>
 
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 #include <numbers>
 #include <variant>
@@ -15,6 +17,11 @@ constexpr double pi = std::numbers::pi;
 glm::dvec3 any_across(const glm::dvec3& z) {
     const glm::dvec3 seed = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return glm::normalize(seed - glm::dot(z, seed) * z);
+}
+
+// By the angle of another vector, of unit length.
+glm::dvec2 turned(const glm::dvec2& v, const glm::dvec2& by) {
+    return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x};
 }
 
 struct Seen {
@@ -87,13 +94,17 @@ struct Seen {
         const double half_width = half_x * std::abs(axis_y) + half_y * std::abs(axis_x);
         const double height = std::abs(glm::dot(center, frame.z));
         const double middle = glm::dot(center, other);
-        const double first = std::atan2(middle - half_width, height);
         // The angle between the sides without cancellation.
-        const double angle =
-            std::atan2(2.0 * half_width * height, height * height + (middle - half_width) * (middle + half_width));
+        const double side = middle - half_width;
+        const double angle = std::atan2(2.0 * half_width * height, height * height + side * (middle + half_width));
+        // The direction to that side, turned step by step.
+        const double half_step = 0.5 * angle / static_cast<double>(light_line_count);
+        const glm::dvec2 half_turn(std::cos(half_step), std::sin(half_step));
+        const glm::dvec2 whole_turn = turned(half_turn, half_turn);
+        glm::dvec2 towards = turned({height, side}, half_turn);
         for (std::size_t i = 0; i < light_line_count; ++i) {
-            const double off =
-                std::clamp(height * std::tan(first + angle * place(i)) - middle, -half_width, half_width);
+            const double off = std::clamp(height * (towards.y / towards.x) - middle, -half_width, half_width);
+            towards = turned(towards, whole_turn);
             const glm::dvec3 from_center = off * other;
             double low = -1e300;
             double high = 1e300;

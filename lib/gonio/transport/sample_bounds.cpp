@@ -39,6 +39,43 @@ void BoundsBuilder::add(const BoundsBuilder& others) {
     normal_high_ = glm::max(normal_high_, others.normal_high_);
 }
 
+void BoundsBuilder::add(const glm::dvec3& anchor, const std::array<std::span<const float>, 3>& points,
+                        const std::array<std::span<const float>, 3>& normals) {
+    const std::size_t count = points[0].size();
+    const auto point = [&](std::size_t i) { return anchor + glm::dvec3(points[0][i], points[1][i], points[2][i]); };
+    const auto normal = [&](std::size_t i) { return glm::dvec3(normals[0][i], normals[1][i], normals[2][i]); };
+    const bool are_equal = std::all_of(normals.begin(), normals.end(), [](std::span<const float> axis) {
+        return std::all_of(axis.begin(), axis.end(), [&](float n) { return n == axis[0]; });
+    });
+    add(point(0), normal(0));
+    if (!are_equal) {
+        for (std::size_t i = 1; i < count; ++i)
+            add(point(i), normal(i));
+        return;
+    }
+    // Rounding keeps the order, so that the sums of the least and of the greatest are the least and the greatest sums.
+    glm::dvec3 low(0.0);
+    glm::dvec3 high(0.0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        float least = points[axis][0];
+        float greatest = least;
+        for (const float at : points[axis]) {
+            least = at < least ? at : least;
+            greatest = at > greatest ? at : greatest;
+        }
+        low[static_cast<int>(axis)] = least;
+        high[static_cast<int>(axis)] = greatest;
+    }
+    low_ = glm::min(low_, anchor + low);
+    high_ = glm::max(high_, anchor + high);
+    for (std::size_t i = 1; i < count; ++i)
+        least_height_ = std::min(least_height_, glm::dot(first_normal_, point(i)));
+    if (normal(0) == first_normal_) return;
+    flat_ = false;
+    normal_low_ = glm::min(normal_low_, normal(0));
+    normal_high_ = glm::max(normal_high_, normal(0));
+}
+
 SampleBounds BoundsBuilder::bounds() const {
     SampleBounds bounds;
     bounds.low = low_;

@@ -3,6 +3,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <span>
+
 namespace gonio::detail {
 
 struct SampleBounds {
@@ -23,6 +26,9 @@ public:
     // `normal` must have unit length.
     void add(const glm::dvec3& point, const glm::dvec3& normal);
     void add(const BoundsBuilder& others);
+    // Points with their coordinates relative to `anchor`, and their normals, by axis; at least one.
+    void add(const glm::dvec3& anchor, const std::array<std::span<const float>, 3>& points,
+             const std::array<std::span<const float>, 3>& normals);
     // Needs at least one point.
     SampleBounds bounds() const;
 

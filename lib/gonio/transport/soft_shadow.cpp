@@ -1,5 +1,4 @@
 #include <gonio/scene/capsule_overlap.hpp>
-#include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
 #include <gonio/transport/soft_shadow.hpp>
@@ -16,8 +15,6 @@ namespace gonio::detail {
 
 namespace {
 
-using Vec = shading::vec3<double>;
-
 // The visible parts of a line, by the sine of the elevation: disjoint pieces in order.
 class SeenPieces {
 public:
@@ -26,17 +23,15 @@ public:
     bool empty() const { return count_ == 0; }
 
     void hide(double low, double high) {
-        std::array<Piece, most> left{};
-        std::size_t count = 0;
+        const std::array<Piece, most> before = pieces_;
+        const std::size_t count = std::exchange(count_, 0);
         const auto keep = [&](double from, double to) {
-            if (from < to && count < most) left[count++] = {from, to};
+            if (from < to && count_ < most) pieces_[count_++] = {from, to};
         };
-        for (std::size_t i = 0; i < count_; ++i) {
-            keep(pieces_[i].low, std::min(pieces_[i].high, low));
-            keep(std::max(pieces_[i].low, high), pieces_[i].high);
+        for (std::size_t i = 0; i < count; ++i) {
+            keep(before[i].low, std::min(before[i].high, low));
+            keep(std::max(before[i].low, high), before[i].high);
         }
-        pieces_ = left;
-        count_ = count;
     }
 
     double within(double low, double high) const {
@@ -76,6 +71,9 @@ bool is_apart(const Primitive& body, const Ball& light) {
 }
 
 } // namespace
+
+SoftShadow::SoftShadow(const LitScene& scene)
+    : scene_(scene), reflectance_(shading::reflectance_kernels(scene.options.instruction_set)) {}
 
 void SoftShadow::begin(const LitLight& light) {
     light_ = &light;
@@ -119,6 +117,7 @@ double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::
         return std::all_of(seen_.begin(), seen_.end(), [&](double seen) { return seen == share; });
     };
     if (is(1.0)) return share_;
+    find_light_of_cells();
     by_lines_ = is(0.0) ? 0.0 : integrated();
     const std::optional<double> exact = near_.size() == 1 ? closed_form(*near_.front()) : std::nullopt;
     share_ = exact.value_or(by_lines_);
@@ -156,25 +155,31 @@ double SoftShadow::luminance_from(const glm::dvec3& direction) const {
     return light_->luminance ? light_->luminance->towards(point_, direction) : 1.0;
 }
 
+void SoftShadow::find_light_of_cells() {
+    for (std::size_t i = 0; i < lines_.count; ++i) {
+        const LightLine& line = lines_.lines[i];
+        const double solid_angle = line.turn * (line.high - line.low);
+        for (std::size_t cell = i * cell_count; cell < (i + 1) * cell_count; ++cell) {
+            towards_[cell] = lines_.direction(line, cell_middle(line, cell % cell_count, cell_count));
+            light_of_[cell] = solid_angle * luminance_from(towards_[cell]);
+        }
+    }
+}
+
 // The share of the illuminance that the lines let through.
 double SoftShadow::integrated() const {
     double all = 0.0;
     double seen = 0.0;
     double all_above = 0.0;
     double seen_above = 0.0;
-    for (std::size_t i = 0; i < lines_.count; ++i) {
-        const LightLine& line = lines_.lines[i];
+    for (std::size_t cell = 0; cell < lines_.count * cell_count; ++cell) {
+        const LightLine& line = lines_.lines[cell / cell_count];
         const double solid_angle = line.turn * (line.high - line.low);
-        for (std::size_t cell = 0; cell < cell_count; ++cell) {
-            const glm::dvec3 l = lines_.direction(line, cell_middle(line, cell, cell_count));
-            const double light = solid_angle * luminance_from(l);
-            const double weight = light * std::max(glm::dot(normal_, l), 0.0);
-            const double share = seen_[i * cell_count + cell];
-            all += solid_angle;
-            seen += solid_angle * share;
-            all_above += weight;
-            seen_above += weight * share;
-        }
+        const double weight = light_of_[cell] * std::max(glm::dot(normal_, towards_[cell]), 0.0);
+        all += solid_angle;
+        seen += solid_angle * seen_[cell];
+        all_above += weight;
+        seen_above += weight * seen_[cell];
     }
     if (all_above > 0.0) return std::min(seen_above / all_above, 1.0);
     return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that contains no cell's middle
@@ -214,28 +219,36 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
     const auto grey = glm::vec3(static_cast<float>(share_));
     const CoreMaterial& material = scene_.core_materials[own_];
     if (share_ == 0.0 || share_ == 1.0 || std::holds_alternative<shading::Lambert<double>>(material)) return grey;
+    // In the frame of the surface, whose normal is z.
+    constexpr std::size_t most = light_line_count * cell_count;
+    const std::size_t count = lines_.count * cell_count;
+    const glm::dvec3 x = glm::normalize(
+        glm::cross(normal_, std::abs(normal_.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
+    const Frame frame{point_, x, glm::cross(normal_, x), normal_};
+    const glm::dvec3 to_eye = frame.to_local(view);
+    std::array<std::array<float, most>, 3> lights{};
+    std::array<std::array<float, most>, 3> eyes{};
+    std::array<std::array<float, most>, 3> reflectance{};
+    for (std::size_t cell = 0; cell < count; ++cell) {
+        const glm::dvec3 to_light = frame.to_local(towards_[cell]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            lights[axis][cell] = static_cast<float>(to_light[static_cast<int>(axis)]);
+            eyes[axis][cell] = static_cast<float>(to_eye[static_cast<int>(axis)]);
+        }
+    }
+    float* const rgb[3] = {reflectance[0].data(), reflectance[1].data(), reflectance[2].data()};
+    reflectance_.brdf({{lights[0].data(), lights[1].data(), lights[2].data()},
+                       {eyes[0].data(), eyes[1].data(), eyes[2].data()},
+                       count},
+                      scene_.materials[own_], rgb);
     glm::dvec3 all(0.0);
     glm::dvec3 seen(0.0);
-    const Vec n = vec(normal_);
-    const Vec v = vec(view);
-    std::visit(
-        [&](const auto& core) {
-            for (std::size_t i = 0; i < lines_.count; ++i) {
-                const LightLine& line = lines_.lines[i];
-                const double solid_angle = line.turn * (line.high - line.low);
-                for (std::size_t cell = 0; cell < cell_count; ++cell) {
-                    const glm::dvec3 towards = lines_.direction(line, cell_middle(line, cell, cell_count));
-                    const Vec l = vec(towards);
-                    const double cosine = dot(n, l);
-                    if (!(cosine > 0.0)) continue;
-                    const Vec f = shading::brdf(core, n, l, v) * (solid_angle * cosine * luminance_from(towards));
-                    const glm::dvec3 value(f.x, f.y, f.z);
-                    all += value;
-                    seen += value * seen_[i * cell_count + cell];
-                }
-            }
-        },
-        material);
+    for (std::size_t cell = 0; cell < count; ++cell) {
+        const double light = light_of_[cell] * std::max(static_cast<double>(lights[2][cell]), 0.0);
+        const glm::dvec3 value = light * glm::dvec3(reflectance[0][cell], reflectance[1][cell], reflectance[2][cell]);
+        all += value;
+        seen += value * seen_[cell];
+    }
     // If the illuminance has a closed form, its ratio to the lines corrects the luminance too.
     const double mended = by_lines_ > 0.0 ? share_ / by_lines_ : 1.0;
     glm::vec3 shares = grey;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <gonio/scene/light_lines.hpp>
+#include <gonio/shading/kernels_reflectance.hpp>
 #include <gonio/transport/lit_scene.hpp>
 
 #include <glm/vec3.hpp>
@@ -23,7 +24,7 @@ namespace gonio::detail {
 
 class SoftShadow {
 public:
-    explicit SoftShadow(const LitScene& scene) : scene_(scene) {}
+    explicit SoftShadow(const LitScene& scene);
 
     // The light must have a surface at a finite distance.
     void begin(const LitLight& light);
@@ -45,12 +46,14 @@ private:
     using Cells = std::array<double, light_line_count * cell_count>;
 
     void find_hidden();
+    void find_light_of_cells();
     // The share of illuminance behind a single solid, if it has a closed form.
     std::optional<double> closed_form(const Primitive& body) const;
     double integrated() const;
     double luminance_from(const glm::dvec3& direction) const;
 
     const LitScene& scene_;
+    const shading::ReflectanceKernels& reflectance_;
     const LitLight* light_ = nullptr;
     std::vector<std::vector<std::uint32_t>> bodies_; // by surface
 
@@ -60,7 +63,9 @@ private:
     glm::dvec3 normal_{0.0};
     std::vector<const Primitive*> near_; // the solids that may hide something at the point
     LightLines lines_;
-    Cells seen_{}; // the visible share of each cell
+    Cells seen_{};     // the visible share of each cell
+    Cells light_of_{}; // its solid angle times its luminance over the mean
+    std::array<glm::dvec3, light_line_count * cell_count> towards_{}; // its middle, unit
     double share_ = 1.0;
     double by_lines_ = 1.0; // the same by the lines only
 };

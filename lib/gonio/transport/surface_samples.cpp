@@ -1,5 +1,7 @@
 #include <gonio/transport/surface_samples.hpp>
 
+#include <span>
+
 namespace gonio::detail {
 
 void SurfaceSamples::reserve(std::size_t count) {
@@ -40,8 +42,11 @@ void SurfaceSamples::finish_chunk() {
     const std::size_t first = chunks.empty() ? 0 : chunks.back().first + chunks.back().count;
     if (first == size()) return;
     BoundsBuilder builder;
-    for (std::size_t i = first; i < size(); ++i)
-        builder.add(position_of(i), normal_of(i));
+    const auto added = [&](const std::array<std::vector<float>, 3>& arrays) {
+        return std::array{std::span(arrays[0]).subspan(first), std::span(arrays[1]).subspan(first),
+                          std::span(arrays[2]).subspan(first)};
+    };
+    builder.add(anchor, added(position), added(normal));
     chunks.push_back({first, size() - first, builder.bounds()});
     bounds_builder.add(builder);
 }
