@@ -293,6 +293,27 @@ private:
     }
 };
 
+// The greatest of n·p over the points p of an object.
+struct GreatestAlong {
+    const glm::dvec3& n;
+
+    double operator()(const Plane& plane) const {
+        return plane.normal == n ? glm::dot(n, plane.point) : std::numeric_limits<double>::infinity();
+    }
+    double operator()(const Panel& panel) const {
+        return glm::dot(n, panel.frame.origin) + 0.5 * panel.width * std::abs(glm::dot(n, panel.frame.x)) +
+               0.5 * panel.height * std::abs(glm::dot(n, panel.frame.y));
+    }
+    double operator()(const Ball& ball) const { return glm::dot(n, ball.center) + ball.radius; }
+    double operator()(const Box& box) const {
+        const glm::dvec3 along = glm::abs(box.frame.to_local(n));
+        return glm::dot(n, box.frame.origin) + glm::dot(along, box.half_size);
+    }
+    double operator()(const Capsule& capsule) const {
+        return glm::dot(n, capsule.center) + capsule.half_length * std::abs(glm::dot(n, capsule.axis)) + capsule.radius;
+    }
+};
+
 // Whether a primitive is on the path of a ray; one-sided surfaces stop it from both sides.
 struct Stops {
     const Ray& ray;
@@ -365,6 +386,14 @@ bool may_stand_between(const Primitive& body, const Ball& points, const Ball& li
     const double near = (around->radius + width) * (1.0 + 1e-6);
     const glm::dvec3 apart = to_body - along * way;
     return glm::dot(apart, apart) <= near * near;
+}
+
+bool is_behind(const Primitive& body, const Light& light, const Ball& points) {
+    if (!is_flat(light.shape)) return false;
+    const double height = glm::dot(points.center - light.frame.origin, light.frame.z);
+    if (!(std::abs(height) >= points.radius)) return false;
+    const glm::dvec3 towards_points = height < 0.0 ? -light.frame.z : light.frame.z;
+    return std::visit(GreatestAlong{towards_points}, body) <= glm::dot(towards_points, light.frame.origin);
 }
 
 double polygon_overlap(double a, std::span<const glm::dvec2> corners) {

@@ -48,6 +48,10 @@ bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, con
 // 1. May return true when in doubt.
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light);
 
+// Whether all of an object is on the other side of a flat light than all points of a sphere: it hides nothing of the
+// light from them. False for lights that are not flat.
+bool is_behind(const Primitive& body, const Light& light, const Ball& points);
+
 // Solid angle common to two caps of half angles a and b ∈ [0, π/2] with axes d ∈ [0, π] apart [sr]. Closed form: the
 // great arc between the crossings of the outlines divides the overlap into two circular segments on the sphere (the
 // area of Mazonka 2012), each computed without cancellation: small caps beside large ones and narrow lenses keep their

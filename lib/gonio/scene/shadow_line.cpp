@@ -1,6 +1,7 @@
 #include <gonio/scene/detail/touching.hpp>
 #include <gonio/scene/shadow_line.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -93,148 +94,150 @@ void add_ball(HiddenPiece& hidden, const Line& line, const glm::dvec3& center, d
         if (before_line(round.entry(end))) hidden.add(end);
 }
 
-struct Hidden {
-    const glm::dvec3& receiver;
-    Line line;
+// Where the plane of the rays cuts edges, if that point is in front of the line.
+class CutEdges {
+public:
+    // `normal` of that plane, of any length.
+    CutEdges(const Line& line, const glm::dvec3& normal)
+        : share_of_way_(glm::cross(line.along, normal)),
+          share_of_line_(glm::cross(normal, line.from)),
+          area_(glm::dot(normal, normal)) {}
 
-    HiddenPiece operator()(const Ball& ball) const {
-        HiddenPiece hidden;
-        const glm::dvec3 center = ball.center - receiver;
-        if (!(glm::dot(center, center) > ball.radius * ball.radius)) return hidden;
-        const glm::dvec3 normal = line.normal();
-        if (std::abs(glm::dot(normal, center)) <= ball.radius * glm::length(normal))
-            add_ball(hidden, line, center, ball.radius);
-        return hidden;
-    }
-
-    HiddenPiece operator()(const Capsule& capsule) const {
-        HiddenPiece hidden;
-        const glm::dvec3 center = capsule.center - receiver;
-        const glm::dvec3& w = capsule.axis;
-        const std::array<glm::dvec3, 2> ends{center - capsule.half_length * w, center + capsule.half_length * w};
-        // An object that the plane of the rays misses hides nothing, and costs almost nothing.
-        const glm::dvec3 normal = line.normal();
-        const double reach = capsule.radius * glm::length(normal);
-        const std::array<double, 2> heights{glm::dot(normal, ends[0]), glm::dot(normal, ends[1])};
-        if (std::min(heights[0], heights[1]) > reach || std::max(heights[0], heights[1]) < -reach) return hidden;
-        if (hides(capsule, receiver)) return hidden;
-        for (std::size_t i = 0; i < 2; ++i)
-            if (std::abs(heights[i]) <= reach) add_ball(hidden, line, ends[i], capsule.radius);
-        // The side between the ends.
-        const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, w) * w; };
-        const Round round(across(line.from), across(line.along), across(center), capsule.radius);
-        const auto on_side = [&](double t, double share) {
-            return before_line(share) && std::abs(glm::dot(w, share * line.at(t) - center)) <= capsule.half_length;
-        };
-        round.tangents([&](double t, double share) {
-            if (on_side(t, share)) hidden.add(t);
-        });
-        round.crossings([&](double t) {
-            if (on_side(t, 1.0)) hidden.add(t);
-        });
-        for (const double end : {0.0, 1.0})
-            if (on_side(end, round.entry(end))) hidden.add(end);
-        return hidden;
-    }
-
-    HiddenPiece operator()(const Box& box) const {
-        const glm::dvec3 origin = box.frame.to_local(receiver - box.frame.origin);
-        const glm::dvec3 from = box.frame.to_local(line.from);
-        const glm::dvec3 along = box.frame.to_local(line.along);
-        const glm::dvec3& half = box.half_size;
-        HiddenPiece hidden;
-        // Where the plane of the rays cuts its edges.
-        const glm::dvec3 normal = glm::cross(from, along);
-        std::array<glm::dvec3, 8> corner{};
-        std::array<double, 8> side{};
-        for (unsigned i = 0; i < 8; ++i) {
-            corner[i] = glm::dvec3((i & 1U) != 0 ? half.x : -half.x, (i & 2U) != 0 ? half.y : -half.y,
-                                   (i & 4U) != 0 ? half.z : -half.z) -
-                        origin;
-            side[i] = glm::dot(normal, corner[i]);
-        }
-        if (is_one_sided(side) || hides(box, receiver)) return hidden;
-        for (unsigned i = 0; i < 8; ++i)
-            for (unsigned bit = 1; bit < 8; bit *= 2)
-                if ((i & bit) == 0) add_edge(hidden, normal, from, along, corner, side, i, i | bit);
-        // Where the line itself and the rays to its ends enter the box.
-        add_slabs(hidden, half, origin + from, along, [](double entry, double exit, HiddenPiece& to) {
-            if (entry <= exit && exit >= 0.0 && entry <= 1.0) {
-                to.add(std::max(entry, 0.0));
-                to.add(std::min(exit, 1.0));
-            }
-        });
-        for (const double end : {0.0, 1.0})
-            add_slabs(hidden, half, origin, from + end * along, [end](double entry, double exit, HiddenPiece& to) {
-                if (entry < exit && exit > 0.0 && entry <= 1.0) to.add(end);
-            });
-        return hidden;
-    }
-
-    HiddenPiece operator()(const Panel& panel) const {
-        HiddenPiece hidden;
-        const double height = glm::dot(receiver - panel.frame.origin, panel.frame.z);
-        if (std::abs(height) <= touching(receiver)) return hidden;
-        const glm::dvec3 normal = glm::cross(line.from, line.along);
-        std::array<glm::dvec3, 4> corner = corners(panel);
-        std::array<double, 4> side{};
-        for (std::size_t i = 0; i < 4; ++i) {
-            corner[i] -= receiver;
-            side[i] = glm::dot(normal, corner[i]);
-        }
-        if (is_one_sided(side)) return hidden;
-        for (std::size_t i = 0; i < 4; ++i)
-            add_edge(hidden, normal, line.from, line.along, corner, side, i, (i + 1) % 4);
-        const auto within = [&](const glm::dvec3& point) {
-            const glm::dvec3 off = point + receiver - panel.frame.origin;
-            return std::abs(glm::dot(off, panel.frame.x)) <= 0.5 * panel.width &&
-                   std::abs(glm::dot(off, panel.frame.y)) <= 0.5 * panel.height;
-        };
-        const double from = height + glm::dot(line.from, panel.frame.z);
-        const double to = from + glm::dot(line.along, panel.frame.z);
-        if (from * to < 0.0 && within(line.at(from / (from - to)))) hidden.add(from / (from - to));
-        for (const auto& [end, at_end] : {std::pair{0.0, from}, std::pair{1.0, to}})
-            if (height * at_end < 0.0 && within(height / (height - at_end) * line.at(end))) hidden.add(end);
-        return hidden;
-    }
-
-    HiddenPiece operator()(const Plane& plane) const {
-        HiddenPiece hidden;
-        const double height = glm::dot(receiver - plane.point, plane.normal);
-        if (std::abs(height) <= touching(receiver)) return hidden;
-        const double from = height + glm::dot(line.from, plane.normal);
-        const double to = from + glm::dot(line.along, plane.normal);
-        if (from * to < 0.0) hidden.add(from / (from - to));
-        if (height * from < 0.0) hidden.add(0.0);
-        if (height * to < 0.0) hidden.add(1.0);
-        return hidden;
+    // An edge between points at `side_a` and `side_b` along the normal.
+    void add(HiddenPiece& hidden, const glm::dvec3& a, double side_a, const glm::dvec3& b, double side_b) const {
+        if ((side_a < 0.0) == (side_b < 0.0)) return;
+        // cut = u from + v along, where u is the share of the way and v/u the position on the line.
+        const glm::dvec3 cut = a + side_a / (side_a - side_b) * (b - a);
+        const double u = glm::dot(cut, share_of_way_);
+        const double v = glm::dot(cut, share_of_line_);
+        if (u > 0.0 && u <= area_ && v >= 0.0 && v <= u) hidden.add(v / u);
     }
 
 private:
-    // Whether the plane of the rays misses the whole object with these corners.
-    template<std::size_t n>
-    static bool is_one_sided(const std::array<double, n>& side) {
-        return std::all_of(side.begin(), side.end(), [](double height) { return height > 0.0; }) ||
-               std::all_of(side.begin(), side.end(), [](double height) { return height < 0.0; });
+    glm::dvec3 share_of_way_, share_of_line_; // both over the area
+    double area_;
+};
+
+// Whether the plane of the rays misses the whole object with these corners.
+template<std::size_t n>
+bool is_one_sided(const std::array<double, n>& side) {
+    return std::all_of(side.begin(), side.end(), [](double height) { return height > 0.0; }) ||
+           std::all_of(side.begin(), side.end(), [](double height) { return height < 0.0; });
+}
+
+// What the objects are to one receiver, which all positions are relative to.
+
+struct HidingBall {
+    glm::dvec3 center;
+    double radius;
+    bool is_inside; // the receiver
+
+    HidingBall(const Ball& ball, const glm::dvec3& receiver)
+        : center(ball.center - receiver),
+          radius(ball.radius),
+          is_inside(!(glm::dot(center, center) > radius * radius)) {}
+
+    HiddenPiece hidden(const Line& line) const {
+        HiddenPiece piece;
+        const glm::dvec3 normal = line.normal();
+        if (!is_inside && std::abs(glm::dot(normal, center)) <= radius * glm::length(normal))
+            add_ball(piece, line, center, radius);
+        return piece;
+    }
+};
+
+struct HidingCapsule {
+    glm::dvec3 center;
+    glm::dvec3 axis;
+    double half_length;
+    double radius;
+    std::array<glm::dvec3, 2> ends;
+    bool is_inside;
+
+    HidingCapsule(const Capsule& capsule, const glm::dvec3& receiver)
+        : center(capsule.center - receiver),
+          axis(capsule.axis),
+          half_length(capsule.half_length),
+          radius(capsule.radius),
+          ends{center - half_length * axis, center + half_length * axis},
+          is_inside(hides(capsule, receiver)) {}
+
+    HiddenPiece hidden(const Line& line) const {
+        HiddenPiece piece;
+        // An object that the plane of the rays misses hides nothing, and costs almost nothing.
+        const glm::dvec3 normal = line.normal();
+        const double reach = radius * glm::length(normal);
+        const std::array<double, 2> heights{glm::dot(normal, ends[0]), glm::dot(normal, ends[1])};
+        if (std::min(heights[0], heights[1]) > reach || std::max(heights[0], heights[1]) < -reach) return piece;
+        if (is_inside) return piece;
+        for (std::size_t i = 0; i < 2; ++i)
+            if (std::abs(heights[i]) <= reach) add_ball(piece, line, ends[i], radius);
+        // The side between the ends.
+        const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, axis) * axis; };
+        const Round round(across(line.from), across(line.along), across(center), radius);
+        const auto on_side = [&](double t, double share) {
+            return before_line(share) && std::abs(glm::dot(axis, share * line.at(t) - center)) <= half_length;
+        };
+        round.tangents([&](double t, double share) {
+            if (on_side(t, share)) piece.add(t);
+        });
+        round.crossings([&](double t) {
+            if (on_side(t, 1.0)) piece.add(t);
+        });
+        for (const double end : {0.0, 1.0})
+            if (on_side(end, round.entry(end))) piece.add(end);
+        return piece;
+    }
+};
+
+// In the axes of the box.
+struct HidingBox {
+    Frame frame;
+    glm::dvec3 half;
+    glm::dvec3 receiver; // relative to the middle of the box
+    std::array<glm::dvec3, 8> corner{};
+    bool is_inside;
+
+    HidingBox(const Box& box, const glm::dvec3& of_receiver)
+        : frame(box.frame),
+          half(box.half_size),
+          receiver(box.frame.to_local(of_receiver - box.frame.origin)),
+          is_inside(hides(box, of_receiver)) {
+        for (unsigned i = 0; i < 8; ++i)
+            corner[i] = glm::dvec3((i & 1U) != 0 ? half.x : -half.x, (i & 2U) != 0 ? half.y : -half.y,
+                                   (i & 4U) != 0 ? half.z : -half.z) -
+                        receiver;
     }
 
-    // Where the plane of the rays cuts an edge, if that point is in front of the line.
-    template<std::size_t n>
-    static void add_edge(HiddenPiece& hidden, const glm::dvec3& normal, const glm::dvec3& from, const glm::dvec3& along,
-                         const std::array<glm::dvec3, n>& corner, const std::array<double, n>& side, std::size_t a,
-                         std::size_t b) {
-        if ((side[a] < 0.0) == (side[b] < 0.0)) return;
-        const glm::dvec3 cut = corner[a] + side[a] / (side[a] - side[b]) * (corner[b] - corner[a]);
-        // cut = u from + v along, where u is the share of the way and v/u the position on the line.
-        const double area = glm::dot(normal, normal);
-        const double u = glm::dot(glm::cross(cut, along), normal) / area;
-        const double v = glm::dot(glm::cross(from, cut), normal) / area;
-        if (before_line(u) && v >= 0.0 && v <= u) hidden.add(v / u);
+    HiddenPiece hidden(const Line& of_world) const {
+        HiddenPiece piece;
+        const Line line{frame.to_local(of_world.from), frame.to_local(of_world.along)};
+        // Where the plane of the rays cuts its edges.
+        const glm::dvec3 normal = line.normal();
+        std::array<double, 8> side{};
+        for (unsigned i = 0; i < 8; ++i)
+            side[i] = glm::dot(normal, corner[i]);
+        if (is_one_sided(side) || is_inside) return piece;
+        const CutEdges edges(line, normal);
+        for (unsigned i = 0; i < 8; ++i)
+            for (unsigned bit = 1; bit < 8; bit *= 2)
+                if ((i & bit) == 0) edges.add(piece, corner[i], side[i], corner[i | bit], side[i | bit]);
+        // Where the line itself and the rays to its ends enter the box.
+        through_slabs(receiver + line.from, line.along, [&](double entry, double exit) {
+            if (entry <= exit && exit >= 0.0 && entry <= 1.0) {
+                piece.add(std::max(entry, 0.0));
+                piece.add(std::min(exit, 1.0));
+            }
+        });
+        for (const double end : {0.0, 1.0})
+            through_slabs(receiver, line.at(end), [&](double entry, double exit) {
+                if (entry < exit && exit > 0.0 && entry <= 1.0) piece.add(end);
+            });
+        return piece;
     }
 
     template<class Take>
-    static void add_slabs(HiddenPiece& hidden, const glm::dvec3& half, const glm::dvec3& origin,
-                          const glm::dvec3& direction, const Take& take) {
+    void through_slabs(const glm::dvec3& origin, const glm::dvec3& direction, const Take& take) const {
         double entry = -1e300;
         double exit = 1e300;
         for (int axis = 0; axis < 3; ++axis) {
@@ -246,9 +249,92 @@ private:
             entry = std::max(entry, (-towards - origin[axis]) / direction[axis]);
             exit = std::min(exit, (towards - origin[axis]) / direction[axis]);
         }
-        take(entry, exit, hidden);
+        take(entry, exit);
     }
 };
+
+struct HidingPanel {
+    Frame frame;
+    double half_width;
+    double half_height;
+    double height; // of the receiver
+    bool is_touched;
+    std::array<glm::dvec3, 4> corner;
+    glm::dvec3 middle;
+
+    HidingPanel(const Panel& panel, const glm::dvec3& receiver)
+        : frame(panel.frame),
+          half_width(0.5 * panel.width),
+          half_height(0.5 * panel.height),
+          height(glm::dot(receiver - panel.frame.origin, panel.frame.z)),
+          is_touched(std::abs(height) <= touching(receiver)),
+          corner(corners(panel)),
+          middle(panel.frame.origin - receiver) {
+        for (glm::dvec3& at : corner)
+            at -= receiver;
+    }
+
+    HiddenPiece hidden(const Line& line) const {
+        HiddenPiece piece;
+        if (is_touched) return piece;
+        const glm::dvec3 normal = line.normal();
+        std::array<double, 4> side{};
+        for (std::size_t i = 0; i < 4; ++i)
+            side[i] = glm::dot(normal, corner[i]);
+        if (is_one_sided(side)) return piece;
+        const CutEdges edges(line, normal);
+        for (std::size_t i = 0; i < 4; ++i)
+            edges.add(piece, corner[i], side[i], corner[(i + 1) % 4], side[(i + 1) % 4]);
+        const auto within = [&](const glm::dvec3& point) {
+            return std::abs(glm::dot(point - middle, frame.x)) <= half_width &&
+                   std::abs(glm::dot(point - middle, frame.y)) <= half_height;
+        };
+        const double from = height + glm::dot(line.from, frame.z);
+        const double to = from + glm::dot(line.along, frame.z);
+        if (from * to < 0.0 && within(line.at(from / (from - to)))) piece.add(from / (from - to));
+        for (const auto& [end, at_end] : {std::pair{0.0, from}, std::pair{1.0, to}})
+            if (height * at_end < 0.0 && within(height / (height - at_end) * line.at(end))) piece.add(end);
+        return piece;
+    }
+};
+
+struct HidingPlane {
+    glm::dvec3 normal;
+    double height;
+    bool is_touched;
+
+    HidingPlane(const Plane& plane, const glm::dvec3& receiver)
+        : normal(plane.normal),
+          height(glm::dot(receiver - plane.point, plane.normal)),
+          is_touched(std::abs(height) <= touching(receiver)) {}
+
+    HiddenPiece hidden(const Line& line) const {
+        HiddenPiece piece;
+        if (is_touched) return piece;
+        const double from = height + glm::dot(line.from, normal);
+        const double to = from + glm::dot(line.along, normal);
+        if (from * to < 0.0) piece.add(from / (from - to));
+        if (height * from < 0.0) piece.add(0.0);
+        if (height * to < 0.0) piece.add(1.0);
+        return piece;
+    }
+};
+
+HidingPlane hiding(const Plane& plane, const glm::dvec3& receiver) {
+    return {plane, receiver};
+}
+HidingPanel hiding(const Panel& panel, const glm::dvec3& receiver) {
+    return {panel, receiver};
+}
+HidingBall hiding(const Ball& ball, const glm::dvec3& receiver) {
+    return {ball, receiver};
+}
+HidingBox hiding(const Box& box, const glm::dvec3& receiver) {
+    return {box, receiver};
+}
+HidingCapsule hiding(const Capsule& capsule, const glm::dvec3& receiver) {
+    return {capsule, receiver};
+}
 
 struct NearestEdge {
     const glm::dvec3& receiver;
@@ -324,15 +410,48 @@ private:
     }
 };
 
+// Of a point to a solid or surface; 0 inside.
+struct DistanceTo {
+    const glm::dvec3& point;
+
+    double operator()(const Plane& plane) const { return std::abs(glm::dot(point - plane.point, plane.normal)); }
+    double operator()(const Panel& panel) const {
+        return to_box(panel.frame, {0.5 * panel.width, 0.5 * panel.height, 0.0});
+    }
+    double operator()(const Ball& ball) const { return std::max(glm::distance(point, ball.center) - ball.radius, 0.0); }
+    double operator()(const Box& box) const { return to_box(box.frame, box.half_size); }
+    double operator()(const Capsule& capsule) const {
+        const glm::dvec3 off = point - capsule.center;
+        const double along = std::clamp(glm::dot(off, capsule.axis), -capsule.half_length, capsule.half_length);
+        return std::max(glm::length(off - along * capsule.axis) - capsule.radius, 0.0);
+    }
+
+private:
+    double to_box(const Frame& frame, const glm::dvec3& half_size) const {
+        const glm::dvec3 local = frame.to_local(point - frame.origin);
+        return glm::length(glm::max(glm::abs(local) - half_size, glm::dvec3(0.0)));
+    }
+};
+
 } // namespace
 
 ShadowEdge nearest_edge(const Primitive& body, const glm::dvec3& receiver, const glm::dvec3& towards) {
     return std::visit(NearestEdge{receiver, towards}, body);
 }
 
-HiddenPiece hidden_piece(const Primitive& body, const glm::dvec3& receiver, const glm::dvec3& from,
-                         const glm::dvec3& to) {
-    return std::visit(Hidden{receiver, {from, to - from}}, body);
+void hidden_pieces(const Primitive& body, const glm::dvec3& receiver, std::span<const LineSegment> lines,
+                   std::span<HiddenPiece> pieces) {
+    std::visit(
+        [&](const auto& shape) {
+            const auto prepared = hiding(shape, receiver);
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                pieces[i] = prepared.hidden({lines[i].from, lines[i].to - lines[i].from});
+        },
+        body);
+}
+
+bool is_apart(const Primitive& body, const Ball& ball) {
+    return std::visit(DistanceTo{ball.center}, body) > ball.radius;
 }
 
 } // namespace gonio::detail

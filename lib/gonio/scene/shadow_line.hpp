@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace gonio::detail {
 
@@ -23,9 +24,19 @@ struct HiddenPiece {
     bool empty() const { return !(low < high); }
 };
 
-// `from` and `to` are relative to the receiver. One-sided surfaces and solids that the receiver lies in hide nothing.
-HiddenPiece hidden_piece(const Primitive& body, const glm::dvec3& receiver, const glm::dvec3& from,
-                         const glm::dvec3& to);
+// Its ends, relative to the receiver.
+struct LineSegment {
+    glm::dvec3 from{0.0};
+    glm::dvec3 to{0.0};
+};
+
+// One piece for each line, all as the receiver sees them. One-sided surfaces that it touches and solids that it lies in
+// hide nothing.
+void hidden_pieces(const Primitive& body, const glm::dvec3& receiver, std::span<const LineSegment> lines,
+                   std::span<HiddenPiece> pieces);
+
+// Whether the body and the ball have no point in common.
+bool is_apart(const Primitive& body, const Ball& ball);
 
 // The edge of an object's shadow that is nearest to a direction, as seen from a receiver: lines on the light that run
 // across it are cut uniformly.

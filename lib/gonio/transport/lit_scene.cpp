@@ -186,6 +186,7 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
             const Ball towards{body.center, reach_along(light.light, panel->frame.z) * (1.0 + 1e-9)};
             if (!may_stand_between(Plane{panel->frame.origin, panel->frame.z}, points, towards)) continue;
         }
+        if (light.has_surface && is_behind(primitive, light.light, points)) continue;
         if (may_stand_between(primitive, points, body)) found.push_back(static_cast<std::uint32_t>(i));
     }
 }

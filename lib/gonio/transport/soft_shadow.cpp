@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -62,12 +63,6 @@ glm::dvec3 across(const ShadowEdge& edge, const glm::dvec3& towards) {
     constexpr double turn = 0.6; // tangent of the angle
     const glm::dvec3 straight = edge.across - glm::dot(edge.across, towards) * towards;
     return straight + turn * glm::cross(towards, straight);
-}
-
-// May return false for bodies that are apart.
-bool is_apart(const Primitive& body, const Ball& light) {
-    const std::optional<Ball> around = bounds(body);
-    return around && glm::distance(around->center, light.center) > around->radius + light.radius;
 }
 
 } // namespace
@@ -125,12 +120,21 @@ double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::
 }
 
 void SoftShadow::find_hidden() {
+    std::array<LineSegment, light_line_count> segments;
+    std::array<HiddenPiece, light_line_count> pieces;
+    for (std::size_t i = 0; i < lines_.count; ++i)
+        segments[i] = {lines_.lines[i].from, lines_.lines[i].to};
+    hidden_.clear();
+    for (const Primitive* const body : near_) {
+        hidden_pieces(*body, point_, std::span(segments).first(lines_.count), pieces);
+        hidden_.push_back(pieces);
+    }
     for (std::size_t i = 0; i < lines_.count; ++i) {
         const LightLine& line = lines_.lines[i];
         SeenPieces seen(line.low, line.high);
         bool whole = true;
-        for (const Primitive* const body : near_) {
-            const HiddenPiece piece = hidden_piece(*body, point_, line.from, line.to);
+        for (const auto& of_body : hidden_) {
+            const HiddenPiece& piece = of_body[i];
             if (piece.empty()) continue;
             whole = false;
             const auto sine_at = [&](double t) {

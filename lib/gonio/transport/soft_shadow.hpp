@@ -9,6 +9,7 @@
 #pragma once
 
 #include <gonio/scene/light_lines.hpp>
+#include <gonio/scene/shadow_line.hpp>
 #include <gonio/shading/kernels_reflectance.hpp>
 #include <gonio/transport/lit_scene.hpp>
 
@@ -63,8 +64,9 @@ private:
     glm::dvec3 normal_{0.0};
     std::vector<const Primitive*> near_; // the solids that may hide something at the point
     LightLines lines_;
-    Cells seen_{};     // the visible share of each cell
-    Cells light_of_{}; // its solid angle times its luminance over the mean
+    std::vector<std::array<HiddenPiece, light_line_count>> hidden_; // of each line, by each of near_
+    Cells seen_{};                                                  // the visible share of each cell
+    Cells light_of_{};                                              // its solid angle times its luminance over the mean
     std::array<glm::dvec3, light_line_count * cell_count> towards_{}; // its middle, unit
     double share_ = 1.0;
     double by_lines_ = 1.0; // the same by the lines only

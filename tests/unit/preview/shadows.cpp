@@ -70,7 +70,9 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         if (kind > 1 && hides(body, receiver)) continue;
         const Vec from = numbers.in_box(6.0) - receiver;
         const Vec to = numbers.in_box(6.0) - receiver;
-        const detail::HiddenPiece piece = detail::hidden_piece(body, receiver, from, to);
+        const detail::LineSegment line{from, to};
+        detail::HiddenPiece piece;
+        detail::hidden_pieces(body, receiver, {&line, 1}, {&piece, 1});
         for (int j = 0; j <= 40; ++j) {
             const double t = j / 40.0;
             if (!piece.empty() && std::min(std::abs(t - piece.low), std::abs(t - piece.high)) < 1e-7) continue;
@@ -81,6 +83,26 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
     }
     for (const int count : partly)
         EXPECT_GT(count, 50);
+}
+
+// By the points of a grid on the ball's surface and in it.
+TEST(ShadowLine, ABodyIsApartFromWhatItDoesNotTouch) {
+    Numbers numbers(6);
+    std::array<int, 2> found{};
+    for (int i = 0; i < 2000; ++i) {
+        const Primitive body = any_body(numbers, i % 5);
+        const Ball ball{numbers.in_box(3.0), 0.8};
+        const bool is_apart = detail::is_apart(body, ball);
+        ++found[is_apart ? 1 : 0];
+        if (!is_apart) continue;
+        EXPECT_FALSE(hides(body, ball.center) && !is_sheet(body)) << i;
+        for (int j = 0; j < 60; ++j) {
+            const Vec way = glm::normalize(numbers.in_box(1.0));
+            EXPECT_FALSE(meets(body, ball.center, ball.radius * way)) << "in case " << i;
+        }
+    }
+    EXPECT_GT(found[0], 50);
+    EXPECT_GT(found[1], 200);
 }
 
 const std::array<Light, 6>& lights() {
