@@ -17,6 +17,9 @@ Result<int> bench_stress(const Arguments& arguments, Console& console);
 // --scaling: returns the exit status.
 Result<int> bench_scaling(const Arguments& arguments, Console& console);
 
+// --profile: returns the exit status.
+Result<int> bench_time_map(const Arguments& arguments, Console& console);
+
 // Fails (usage) if one of `options` is given together with `mode`, which does not use it.
 Result<void> refuse_beside(std::string_view mode, std::span<const std::string_view> options,
                            const Arguments& arguments);

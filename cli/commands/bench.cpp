@@ -42,6 +42,9 @@ constexpr std::array scaling_options{
     Option{"--scaling", "NAME,...", "measure time against size: lights, pixels, file-size, threads, or all",
            "scalings"},
 };
+constexpr std::array time_map_options{
+    Option{"--profile", "NAME,...", "where the time of a command goes: preview, bake, import, info, or all"},
+};
 constexpr std::array report_options{
     Option{"--json", "", "one JSON object"},
     Option{"--jsonl", "", "one JSON object per line for each table"},
@@ -52,6 +55,7 @@ constexpr std::array report_options{
 constexpr std::array groups{OptionGroup{"suites", suite_options},
                             OptionGroup{"stress", stress_options},
                             OptionGroup{"scaling", scaling_options},
+                            OptionGroup{"time", time_map_options},
                             OptionGroup{"report", report_options},
                             threads_group,
                             common_group};
@@ -60,6 +64,7 @@ constexpr std::array examples{
     Example{"gonio bench --suite irradiance -o irradiance.svg", "one suite, with a chart of error against time"},
     Example{"gonio bench --stress --count 1e8", "search for inputs that break an error bound"},
     Example{"gonio bench --scaling lights -o lights.svg", "how time grows with the number of lights"},
+    Example{"gonio bench --profile preview", "rays, lights, shadows, bounced light, display, writing"},
     Example{"gonio bench --suite specular --method ltc,specular-d --csv > specular.csv", "two methods as CSV"},
 };
 
@@ -263,7 +268,10 @@ Result<int> bench(const Arguments& arguments, Console& console) {
 }
 
 int run(const Arguments& arguments, Console& console) {
-    const auto mode = arguments.has("--scaling") ? bench_scaling : arguments.has("--stress") ? bench_stress : bench;
+    const auto mode = arguments.has("--profile")   ? bench_time_map
+                      : arguments.has("--scaling") ? bench_scaling
+                      : arguments.has("--stress")  ? bench_stress
+                                                   : bench;
     const Result<int> status = mode(arguments, console);
     return status ? *status : console.fail(status.error());
 }
@@ -274,14 +282,16 @@ extern const Command bench_command;
 const Command bench_command{
     "bench",
     "measure run time and error of every method on this machine",
-    "[--suite NAME] [--quick] | --stress [--count N] | --scaling NAME",
+    "[--suite NAME] [--quick] | --stress [--count N] | --scaling NAME | --profile NAME",
     "Each table shows the methods of one kind on the same seeded cases: their error against a reference, the time per\n"
     "evaluation (the least of all samples) and the median ratio to a named baseline, measured in the same rounds.\n"
     "A star marks the Pareto front: no other row has both a smaller median error and a shorter time. The line below a\n"
     "table says whether the default method is on the front, and what the other methods gain or lose.\n"
     "--stress searches for input that breaks a function: it prints the greatest share of each error bound that was "
     "used\n"
-    "and every broken bound with its input in hexadecimal floats, and exits with 1 if there is one.",
+    "and every broken bound with its input in hexadecimal floats, and exits with 1 if there is one.\n"
+    "--profile prints the parts of a command's work: elapsed time, time of all processors, and the share that they "
+    "wait.",
     groups,
     examples,
     run};
