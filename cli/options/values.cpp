@@ -105,11 +105,11 @@ Result<std::optional<double>> reference_error(const Arguments& arguments, bool b
     const auto given = arguments.value("--error");
     if (!given) return std::nullopt;
     if (!by_reference) return fail("USE0104", "--error needs the method reference", "add --method reference");
-    const std::optional<double> error = parse_number(*given);
+    const Result<double> error = parse_factor(*given, "relative error");
     if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
         return fail("USE0106", fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
-                    "it is relative: 1e-4 is a hundredth of a percent");
-    return error;
+                    "it is relative: 1e-4 is the same as 0.01%");
+    return *error;
 }
 
 } // namespace gonio::cli
