@@ -174,8 +174,10 @@ void LitTile::add_surroundings() {
     for (const SurfaceSamples& all : tile_.surfaces()) {
         const Primitive& geometry = scene_.stage.surfaces[all.surface].geometry;
         const bool is_round = std::holds_alternative<Ball>(geometry) || std::holds_alternative<Capsule>(geometry);
-        const SurfaceSamples of_flat = is_round ? SurfaceSamples() : merged(all);
-        const SurfaceSamples& samples = is_round ? all : of_flat;
+        const bool has_outline = std::any_of(all.center.begin(), all.center.end(), [](auto of) { return of < 0; });
+        const bool is_merged = !is_round && has_outline;
+        const SurfaceSamples few = is_merged ? merged(all) : SurfaceSamples();
+        const SurfaceSamples& samples = is_merged ? few : all;
         const std::vector<LobeRays>& lobes = scene_.surroundings[samples.surface]->lobes;
         const bool has_view = !lobes.empty() && !named_lobe;
         if (has_view) {

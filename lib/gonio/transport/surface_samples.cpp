@@ -15,9 +15,17 @@ void SurfaceSamples::reserve(std::size_t count) {
 
 void SurfaceSamples::add(const SurfacePoint& point, std::uint32_t of_pixel, double share_of_pixel,
                          std::int32_t of_center) {
-    const std::size_t i = add_pixels(point.position, of_pixel, of_center, 1);
-    share[i] = static_cast<float>(share_of_pixel);
-    set(i, point);
+    if (pixel.empty()) anchor = point.position;
+    const glm::dvec3 at = point.position - anchor;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        position[a].push_back(static_cast<float>(at[axis]));
+        normal[a].push_back(static_cast<float>(point.normal[axis]));
+        view[a].push_back(static_cast<float>(point.view[axis]));
+    }
+    share.push_back(static_cast<float>(share_of_pixel));
+    pixel.push_back(of_pixel);
+    center.push_back(of_center);
 }
 
 std::size_t SurfaceSamples::add_pixels(const glm::dvec3& first_position, std::uint32_t first_pixel,
