@@ -28,15 +28,6 @@ bool on_line(double t) {
     return t >= 0.0 && t <= 1.0;
 }
 
-// A line of the light, with the receiver at the origin.
-struct Line {
-    glm::dvec3 from;
-    glm::dvec3 along; // to − from
-
-    glm::dvec3 at(double t) const { return from + t * along; }
-    glm::dvec3 normal() const { return glm::cross(from, along); } // of the plane of the rays, of any length
-};
-
 // How a line passes a sphere, or an infinite cylinder, which follows the same formulas in the plane across its axis.
 struct Round {
     glm::dvec3 from, along, center;
@@ -84,6 +75,8 @@ bool before_line(double share) {
     return share > 0.0 && share <= 1.0;
 }
 
+using Line = LightLineSeen;
+
 void add_ball(HiddenPiece& hidden, const Line& line, const glm::dvec3& center, double radius) {
     const Round round(line.from, line.along, center, radius);
     round.tangents([&](double t, double share) {
@@ -97,11 +90,10 @@ void add_ball(HiddenPiece& hidden, const Line& line, const glm::dvec3& center, d
 // Where the plane of the rays cuts edges, if that point is in front of the line.
 class CutEdges {
 public:
-    // `normal` of that plane, of any length.
-    CutEdges(const Line& line, const glm::dvec3& normal)
-        : share_of_way_(glm::cross(line.along, normal)),
-          share_of_line_(glm::cross(normal, line.from)),
-          area_(glm::dot(normal, normal)) {}
+    explicit CutEdges(const Line& line)
+        : share_of_way_(glm::cross(line.along, line.normal)),
+          share_of_line_(glm::cross(line.normal, line.from)),
+          area_(glm::dot(line.normal, line.normal)) {}
 
     // An edge between points at `side_a` and `side_b` along the normal.
     void add(HiddenPiece& hidden, const glm::dvec3& a, double side_a, const glm::dvec3& b, double side_b) const {
@@ -139,8 +131,7 @@ struct HidingBall {
 
     HiddenPiece hidden(const Line& line) const {
         HiddenPiece piece;
-        const glm::dvec3 normal = line.normal();
-        if (!is_inside && std::abs(glm::dot(normal, center)) <= radius * glm::length(normal))
+        if (!is_inside && std::abs(glm::dot(line.normal, center)) <= radius * line.normal_length)
             add_ball(piece, line, center, radius);
         return piece;
     }
@@ -165,9 +156,8 @@ struct HidingCapsule {
     HiddenPiece hidden(const Line& line) const {
         HiddenPiece piece;
         // An object that the plane of the rays misses hides nothing, and costs almost nothing.
-        const glm::dvec3 normal = line.normal();
-        const double reach = radius * glm::length(normal);
-        const std::array<double, 2> heights{glm::dot(normal, ends[0]), glm::dot(normal, ends[1])};
+        const double reach = radius * line.normal_length;
+        const std::array<double, 2> heights{glm::dot(line.normal, ends[0]), glm::dot(line.normal, ends[1])};
         if (std::min(heights[0], heights[1]) > reach || std::max(heights[0], heights[1]) < -reach) return piece;
         if (is_inside) return piece;
         for (std::size_t i = 0; i < 2; ++i)
@@ -211,14 +201,14 @@ struct HidingBox {
 
     HiddenPiece hidden(const Line& of_world) const {
         HiddenPiece piece;
-        const Line line{frame.to_local(of_world.from), frame.to_local(of_world.along)};
-        // Where the plane of the rays cuts its edges.
-        const glm::dvec3 normal = line.normal();
+        const glm::dvec3 normal = frame.to_local(of_world.normal);
         std::array<double, 8> side{};
         for (unsigned i = 0; i < 8; ++i)
             side[i] = glm::dot(normal, corner[i]);
         if (is_one_sided(side) || is_inside) return piece;
-        const CutEdges edges(line, normal);
+        const Line line{frame.to_local(of_world.from), frame.to_local(of_world.along), normal, of_world.normal_length};
+        // Where the plane of the rays cuts its edges.
+        const CutEdges edges(line);
         for (unsigned i = 0; i < 8; ++i)
             for (unsigned bit = 1; bit < 8; bit *= 2)
                 if ((i & bit) == 0) edges.add(piece, corner[i], side[i], corner[i | bit], side[i | bit]);
@@ -277,12 +267,11 @@ struct HidingPanel {
     HiddenPiece hidden(const Line& line) const {
         HiddenPiece piece;
         if (is_touched) return piece;
-        const glm::dvec3 normal = line.normal();
         std::array<double, 4> side{};
         for (std::size_t i = 0; i < 4; ++i)
-            side[i] = glm::dot(normal, corner[i]);
+            side[i] = glm::dot(line.normal, corner[i]);
         if (is_one_sided(side)) return piece;
-        const CutEdges edges(line, normal);
+        const CutEdges edges(line);
         for (std::size_t i = 0; i < 4; ++i)
             edges.add(piece, corner[i], side[i], corner[(i + 1) % 4], side[(i + 1) % 4]);
         const auto within = [&](const glm::dvec3& point) {
@@ -439,13 +428,16 @@ ShadowEdge nearest_edge(const Primitive& body, const glm::dvec3& receiver, const
     return std::visit(NearestEdge{receiver, towards}, body);
 }
 
-void hidden_pieces(const Primitive& body, const glm::dvec3& receiver, std::span<const LineSegment> lines,
+LightLineSeen::LightLineSeen(const glm::dvec3& begin, const glm::dvec3& end)
+    : from(begin), along(end - begin), normal(glm::cross(from, along)), normal_length(glm::length(normal)) {}
+
+void hidden_pieces(const Primitive& body, const glm::dvec3& receiver, std::span<const LightLineSeen> lines,
                    std::span<HiddenPiece> pieces) {
     std::visit(
         [&](const auto& shape) {
             const auto prepared = hiding(shape, receiver);
             for (std::size_t i = 0; i < lines.size(); ++i)
-                pieces[i] = prepared.hidden({lines[i].from, lines[i].to - lines[i].from});
+                pieces[i] = prepared.hidden(lines[i]);
         },
         body);
 }

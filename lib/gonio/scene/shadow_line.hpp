@@ -24,15 +24,24 @@ struct HiddenPiece {
     bool empty() const { return !(low < high); }
 };
 
-// Its ends, relative to the receiver.
-struct LineSegment {
+// A line of the light, with the receiver at the origin.
+struct LightLineSeen {
     glm::dvec3 from{0.0};
-    glm::dvec3 to{0.0};
+    glm::dvec3 along{0.0};  // to its other end
+    glm::dvec3 normal{0.0}; // of the plane of the rays, from × along
+    double normal_length = 0.0;
+
+    LightLineSeen() = default;
+    LightLineSeen(const glm::dvec3& begin, const glm::dvec3& end);
+    LightLineSeen(const glm::dvec3& begin, const glm::dvec3& way, const glm::dvec3& of_plane, double its_length)
+        : from(begin), along(way), normal(of_plane), normal_length(its_length) {}
+
+    glm::dvec3 at(double t) const { return from + t * along; }
 };
 
 // One piece for each line, all as the receiver sees them. One-sided surfaces that it touches and solids that it lies in
 // hide nothing.
-void hidden_pieces(const Primitive& body, const glm::dvec3& receiver, std::span<const LineSegment> lines,
+void hidden_pieces(const Primitive& body, const glm::dvec3& receiver, std::span<const LightLineSeen> lines,
                    std::span<HiddenPiece> pieces);
 
 // Whether the body and the ball have no point in common.

@@ -24,15 +24,20 @@ public:
     bool empty() const { return count_ == 0; }
 
     void hide(double low, double high) {
-        const std::array<Piece, most> before = pieces_;
-        const std::size_t count = std::exchange(count_, 0);
         const auto keep = [&](double from, double to) {
             if (from < to && count_ < most) pieces_[count_++] = {from, to};
         };
-        for (std::size_t i = 0; i < count; ++i) {
-            keep(before[i].low, std::min(before[i].high, low));
-            keep(std::max(before[i].low, high), before[i].high);
+        const auto cut = [&](const Piece& piece) {
+            keep(piece.low, std::min(piece.high, low));
+            keep(std::max(piece.low, high), piece.high);
+        };
+        if (count_ == 1) { // nearly always
+            count_ = 0;
+            return cut(Piece(pieces_[0]));
         }
+        const std::array<Piece, most> before = pieces_;
+        for (std::size_t i = 0, count = std::exchange(count_, 0); i < count; ++i)
+            cut(before[i]);
     }
 
     double within(double low, double high) const {
@@ -94,7 +99,7 @@ double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::
     ShadowEdge nearest;
     for (const std::uint32_t i : bodies_[own]) {
         const Primitive& body = scene_.stage.surfaces[i].geometry;
-        if (!may_stand_between(body, {point, 0.0}, light)) continue;
+        if (!may_stand_between(body, scene_.body_bounds[i], {point, 0.0}, light)) continue;
         const ShadowEdge edge = nearest_edge(body, point, towards);
         // Skips a solid beside the light that does not overlap it. One without an edge in front of the light may also
         // cover all of it, so the ray to the middle is tested.
@@ -120,13 +125,13 @@ double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::
 }
 
 void SoftShadow::find_hidden() {
-    std::array<LineSegment, light_line_count> segments;
+    std::array<LightLineSeen, light_line_count> seen_lines;
     std::array<HiddenPiece, light_line_count> pieces;
     for (std::size_t i = 0; i < lines_.count; ++i)
-        segments[i] = {lines_.lines[i].from, lines_.lines[i].to};
+        seen_lines[i] = LightLineSeen(lines_.lines[i].from, lines_.lines[i].to);
     hidden_.clear();
     for (const Primitive* const body : near_) {
-        hidden_pieces(*body, point_, std::span(segments).first(lines_.count), pieces);
+        hidden_pieces(*body, point_, std::span(seen_lines).first(lines_.count), pieces);
         hidden_.push_back(pieces);
     }
     for (std::size_t i = 0; i < lines_.count; ++i) {

@@ -70,7 +70,7 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         if (kind > 1 && hides(body, receiver)) continue;
         const Vec from = numbers.in_box(6.0) - receiver;
         const Vec to = numbers.in_box(6.0) - receiver;
-        const detail::LineSegment line{from, to};
+        const detail::LightLineSeen line(from, to);
         detail::HiddenPiece piece;
         detail::hidden_pieces(body, receiver, {&line, 1}, {&piece, 1});
         for (int j = 0; j <= 40; ++j) {
