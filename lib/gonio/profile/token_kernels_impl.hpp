@@ -13,6 +13,8 @@
 
 #if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace gonio::profile_detail {
@@ -49,8 +51,30 @@ struct TokenWords {
 
     template<Separators separators>
     static Masks classify(const char* p) {
-        constexpr std::uint64_t high = bytes_of(0x80);
         Masks masks{};
+#if defined(__SSE2__)
+        for (unsigned i = 0; i < 64; i += 16) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
+            const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p + i));
+            const auto within = [&](char lowest, char highest) {
+                const __m128i above = _mm_sub_epi8(bytes, _mm_set1_epi8(lowest));
+                const __m128i span = _mm_set1_epi8(static_cast<char>(highest - lowest));
+                return _mm_cmpeq_epi8(_mm_min_epu8(above, span), above);
+            };
+            const auto equals = [&](char byte) { return _mm_cmpeq_epi8(bytes, _mm_set1_epi8(byte)); };
+            const auto add = [&](std::uint64_t& mask, __m128i found) {
+                mask |= std::uint64_t{static_cast<std::uint32_t>(_mm_movemask_epi8(found))} << i;
+            };
+            add(masks.numeric, within('-', '9'));
+            if constexpr (separators == Separators::lines) {
+                add(masks.cr, equals('\r'));
+                add(masks.lf, equals('\n'));
+            } else {
+                add(masks.ends, _mm_or_si128(within('\t', '\r'), _mm_or_si128(equals(' '), equals(','))));
+            }
+        }
+#else
+        constexpr std::uint64_t high = bytes_of(0x80);
         for (unsigned i = 0; i < 64; i += 8) {
             std::uint64_t word = 0;
             std::memcpy(&word, p + i, sizeof word);
@@ -68,6 +92,7 @@ struct TokenWords {
                 add(masks.ends, equals(' ') | equals(',') | (at_least('\t') & ~at_least('\r' + 1)));
             }
         }
+#endif
         return masks;
     }
 
@@ -79,32 +104,36 @@ struct TokenWords {
     // Bit i of the result: token i is not a number of at most eight characters, and number i means nothing.
     static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
         if constexpr (__BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__) return 1;
-        constexpr std::uint64_t ones = bytes_of(1);
-        constexpr double powers[9] = {1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1e0, 1e0};
-        const std::uint32_t length = *ends - *begins;
-        if (length > 8) return 1;
-        // The word that ends with the token; bytes before the token are cleared.
-        const std::uint64_t keep = ~std::uint64_t{0} << (64U - 8U * length);
+        constexpr double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+        const bool negative = text[*begins] == '-';
+        const std::uint32_t length = *ends - *begins - (negative ? 1 : 0);
+        if (length == 0 || length > 8) return 1;
+        // The word that ends with the token; bytes before its first digit or point are cleared.
         std::uint64_t token = 0;
         std::memcpy(&token, text + *ends - 8, sizeof token);
-        token = (token ^ bytes_of('0')) & keep;
-        // Digits are 0 to 9 now, '-' 0x1D, '.' 0x1E and '/' 0x1F.
-        const std::uint64_t marks = token >> 4U & ones;
-        const std::uint64_t point = marks & ~token;
-        const std::uint64_t minus = marks & ~(token >> 1U);
-        const std::uint64_t first = keep & ones & ~(keep << 8U);
-        if (((marks & token & token >> 1U) | (minus & ~first) | (point & (point - 1))) != 0) return 1;
-        if ((keep & ones) == marks) return 1; // no digit
-        const std::uint64_t digits = token & ~(marks * 0xFF);
-        // The digits before the point move up by one byte, over the point.
-        const std::uint64_t before = point - 1; // all bits where there is no point
-        const std::uint64_t moved = point == 0 ? 0 : before;
-        const std::uint64_t w = number_in((digits & ~moved) | (digits & moved) << 8U);
-        const auto k = static_cast<std::size_t>((before & ones) * ones >> 56U); // bytes before the point
-        const double value = static_cast<double>(static_cast<std::int64_t>(w)) / powers[k];
-        *numbers = minus != 0 ? -value : value;
+        token = (token ^ bytes_of('0')) & ~std::uint64_t{0} << (64U - 8U * length);
+        // Digits are 0 to 9 now, '.' is 0x1E, '-' 0x1D and '/' 0x1F: the bit 0x10 distinguishes them from digits, the
+        // bit 1 the point from the other two. One point is allowed, and none of the others.
+        const std::uint64_t point = token & bytes_of(0x10);
+        if (((point & (point - 1)) | (token & point >> 4U)) != 0) return 1;
+        double value = 0.0;
+        if (point == 0) {
+            value = static_cast<double>(static_cast<std::int64_t>(number_in(token)));
+        } else {
+            if (length == 1) return 1;
+            // The digits before the point move up by one byte, over the point.
+            const std::uint64_t before = (point >> 4U) - 1;
+            const std::uint64_t digits = (token & ~(before | (point >> 4U) * 0xFF)) | (token & before) << 8U;
+            value = static_cast<double>(static_cast<std::int64_t>(number_in(digits))) /
+                    powers[__builtin_clzll(point) / 8];
+        }
+        *numbers = negative ? -value : value;
         return 0;
     }
+
+    // As convert(), for tokens of 9 to 16 characters; at least 16 bytes of text lie before their ends. Not here: the
+    // method for one number is as fast.
+    static constexpr bool converts_wide = false;
 
     // The number written by eight digits, the first in the lowest byte: pairs, fours, all eight.
     static std::uint64_t number_in(std::uint64_t digits) {
@@ -209,10 +238,7 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         const __m256i moved = _mm256_andnot_si256(_mm256_cmpeq_epi64(point, zero), before);
         const __m256i joined = _mm256_or_si256(_mm256_andnot_si256(moved, digits),
                                                _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
-        const __m256i pairs = _mm256_maddubs_epi16(joined, _mm256_set1_epi16(0x010A)); // 10 and 1
-        const __m256i fours = _mm256_madd_epi16(pairs, _mm256_set1_epi32(0x00010064)); // 100 and 1
-        const __m256i number = _mm256_add_epi64(_mm256_mul_epu32(fours, _mm256_set1_epi64x(10000)),
-                                                _mm256_srli_epi64(fours, 32));
+        const __m256i number = number_in(joined);
         // By the bytes before the point; 8 where there is none.
         const __m256i index =
             _mm256_min_epi32(_mm256_sad_epu8(_mm256_and_si256(before, ones), zero), _mm256_set1_epi64x(7));
@@ -224,6 +250,87 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
             _mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
         _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
         return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
+    }
+
+    static constexpr bool converts_wide = true;
+
+    static unsigned convert_wide(const char* text, const std::uint32_t* begins, const std::uint32_t* ends,
+                                 double* numbers) {
+        const auto word = [&](int i, int before) {
+            long long bytes = 0;
+            std::memcpy(&bytes, text + ends[i] - before, sizeof bytes);
+            return bytes;
+        };
+        const auto offsets = [](const std::uint32_t* from) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
+            return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+        };
+        const __m256i zero = _mm256_setzero_si256();
+        const __m256i ones = _mm256_set1_epi8(1);
+        const __m256i all = _mm256_set1_epi8(-1);
+        const __m256i zeros = _mm256_set1_epi8('0');
+        const __m256i length = _mm256_cvtepu32_epi64(_mm_sub_epi32(offsets(ends), offsets(begins)));
+        // The two words that end with the tokens; bytes before a token are cleared.
+        const __m256i keep =
+            _mm256_sllv_epi64(all, _mm256_sub_epi64(_mm256_set1_epi64x(128), _mm256_slli_epi64(length, 3)));
+        const __m256i high_words = _mm256_set_epi64x(word(3, 16), word(2, 16), word(1, 16), word(0, 16));
+        const __m256i low_words = _mm256_set_epi64x(word(3, 8), word(2, 8), word(1, 8), word(0, 8));
+        const __m256i high = _mm256_and_si256(_mm256_xor_si256(high_words, zeros), keep);
+        const __m256i low = _mm256_xor_si256(low_words, zeros);
+        const __m256i high_marks = _mm256_and_si256(_mm256_srli_epi64(high, 4), ones);
+        const __m256i low_marks = _mm256_and_si256(_mm256_srli_epi64(low, 4), ones);
+        const __m256i high_second = _mm256_srli_epi64(high, 1);
+        const __m256i high_point = _mm256_andnot_si256(high, high_marks);
+        const __m256i low_point = _mm256_andnot_si256(low, low_marks);
+        const __m256i minus = _mm256_andnot_si256(high_second, high_marks);
+        const __m256i first = _mm256_andnot_si256(_mm256_slli_epi64(keep, 8), _mm256_and_si256(keep, ones));
+        const __m256i high_before = _mm256_add_epi64(high_point, all);
+        const __m256i low_before = _mm256_add_epi64(low_point, all);
+        const __m256i no_high_point = _mm256_cmpeq_epi64(high_point, zero);
+        const __m256i no_low_point = _mm256_cmpeq_epi64(low_point, zero);
+        const __m256i slash = _mm256_and_si256(high_marks, _mm256_and_si256(high, high_second));
+        const __m256i points =
+            _mm256_or_si256(_mm256_and_si256(high_point, high_before), _mm256_and_si256(low_point, low_before));
+        const __m256i wrong = _mm256_or_si256(
+            _mm256_or_si256(slash, _mm256_andnot_si256(first, minus)),
+            _mm256_or_si256(points, _mm256_and_si256(low_marks, low))); // in the low word only a point is right
+        const __m256i one_point = _mm256_or_si256(no_high_point, no_low_point);
+        const __m256i high_digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, high_marks), high);
+        const __m256i low_digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, low_marks), low);
+        // The digits before the point move up by one byte, over the point.
+        const __m256i low_moved = _mm256_andnot_si256(no_low_point, low_before);
+        const __m256i high_moved =
+            _mm256_or_si256(_mm256_andnot_si256(no_low_point, all), _mm256_andnot_si256(no_high_point, high_before));
+        const auto joined = [](__m256i digits, __m256i moved) {
+            return _mm256_or_si256(_mm256_andnot_si256(moved, digits),
+                                   _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
+        };
+        const __m256i across = _mm256_andnot_si256(no_low_point, _mm256_srli_epi64(high_digits, 56));
+        const __m256i upper = number_in(joined(high_digits, high_moved));
+        const __m256i lower = number_in(_mm256_or_si256(joined(low_digits, low_moved), across));
+        const __m256i number = _mm256_add_epi64(_mm256_mul_epu32(upper, _mm256_set1_epi64x(100000000)), lower);
+        const __m256i before = _mm256_sad_epu8(
+            _mm256_add_epi8(_mm256_and_si256(high_moved, ones), _mm256_and_si256(low_moved, ones)), zero);
+        const __m256i decimals = _mm256_andnot_si256(_mm256_and_si256(no_high_point, no_low_point),
+                                                     _mm256_sub_epi64(_mm256_set1_epi64x(15), before));
+        alignas(32) static constexpr double powers[16] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+        const __m256d power = _mm256_i64gather_pd(powers, _mm256_and_si256(decimals, _mm256_set1_epi64x(15)), 8);
+        const __m256d value = _mm256_div_pd(to_double(number), power);
+        const __m256d sign = _mm256_castsi256_pd(
+            _mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
+        _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
+        const __m256i exact = _mm256_cmpeq_epi64(_mm256_srli_epi64(number, 52), zero);
+        const __m256i fine =
+            _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact));
+        return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
+    }
+
+    // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.
+    static __m256i number_in(__m256i digits) {
+        const __m256i pairs = _mm256_maddubs_epi16(digits, _mm256_set1_epi16(0x010A)); // 10 and 1
+        const __m256i fours = _mm256_madd_epi16(pairs, _mm256_set1_epi32(0x00010064)); // 100 and 1
+        return _mm256_add_epi64(_mm256_mul_epu32(fours, _mm256_set1_epi64x(10000)), _mm256_srli_epi64(fours, 32));
     }
 
     // Exact below 2^52.
@@ -332,10 +439,7 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const __m512i moved = _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(point, point), before);
         const __m512i joined = _mm512_or_si512(_mm512_andnot_si512(moved, digits),
                                                _mm512_slli_epi64(_mm512_and_si512(digits, moved), 8));
-        const __m512i pairs = _mm512_maddubs_epi16(joined, _mm512_set1_epi16(0x010A)); // 10 and 1
-        const __m512i fours = _mm512_madd_epi16(pairs, _mm512_set1_epi32(0x00010064)); // 100 and 1
-        const __m512i number = _mm512_add_epi64(_mm512_mul_epu32(fours, _mm512_set1_epi64(10000)),
-                                                _mm512_srli_epi64(fours, 32));
+        const __m512i number = number_in(joined);
         // By the bytes before the point; 8 where there is none.
         const __m512i index = _mm512_sad_epu8(_mm512_and_si512(before, ones), zero);
         const __m512d powers = _mm512_setr_pd(1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1e0);
@@ -345,6 +449,85 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
             _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
         _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
         return bad;
+    }
+
+    static constexpr bool converts_wide = true;
+
+    static unsigned convert_wide(const char* text, const std::uint32_t* begins, const std::uint32_t* ends,
+                                 double* numbers) {
+        const auto word = [&](int i, int before) {
+            long long bytes = 0;
+            std::memcpy(&bytes, text + ends[i] - before, sizeof bytes);
+            return bytes;
+        };
+        const auto words = [&](int before) {
+            return _mm512_set_epi64(word(7, before), word(6, before), word(5, before), word(4, before), word(3, before),
+                                    word(2, before), word(1, before), word(0, before));
+        };
+        const auto offsets = [](const std::uint32_t* from) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
+            return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+        };
+        const __m512i zero = _mm512_setzero_si512();
+        const __m512i ones = _mm512_set1_epi8(1);
+        const __m512i all = _mm512_set1_epi8(-1);
+        const __m512i zeros = _mm512_set1_epi8('0');
+        const __m512i length = _mm512_cvtepu32_epi64(_mm256_sub_epi32(offsets(ends), offsets(begins)));
+        // The two words that end with the tokens; bytes before a token are cleared.
+        const __m512i keep =
+            _mm512_sllv_epi64(all, _mm512_sub_epi64(_mm512_set1_epi64(128), _mm512_slli_epi64(length, 3)));
+        const __m512i high = _mm512_and_si512(_mm512_xor_si512(words(16), zeros), keep);
+        const __m512i low = _mm512_xor_si512(words(8), zeros);
+        const __m512i high_marks = _mm512_and_si512(_mm512_srli_epi64(high, 4), ones);
+        const __m512i low_marks = _mm512_and_si512(_mm512_srli_epi64(low, 4), ones);
+        const __m512i high_second = _mm512_srli_epi64(high, 1);
+        const __m512i high_point = _mm512_andnot_si512(high, high_marks);
+        const __m512i low_point = _mm512_andnot_si512(low, low_marks);
+        const __m512i minus = _mm512_andnot_si512(high_second, high_marks);
+        const __m512i first = _mm512_andnot_si512(_mm512_slli_epi64(keep, 8), _mm512_and_si512(keep, ones));
+        const __m512i high_before = _mm512_add_epi64(high_point, all);
+        const __m512i low_before = _mm512_add_epi64(low_point, all);
+        const __mmask8 of_high = _mm512_test_epi64_mask(high_point, high_point);
+        const __mmask8 of_low = _mm512_test_epi64_mask(low_point, low_point);
+        const __m512i slash = _mm512_and_si512(high_marks, _mm512_and_si512(high, high_second));
+        const __m512i points =
+            _mm512_or_si512(_mm512_and_si512(high_point, high_before), _mm512_and_si512(low_point, low_before));
+        const __m512i wrong = _mm512_or_si512(
+            _mm512_or_si512(slash, _mm512_andnot_si512(first, minus)),
+            _mm512_or_si512(points, _mm512_and_si512(low_marks, low))); // in the low word only a point is right
+        const __m512i high_digits = _mm512_andnot_si512(_mm512_sub_epi8(zero, high_marks), high);
+        const __m512i low_digits = _mm512_andnot_si512(_mm512_sub_epi8(zero, low_marks), low);
+        // The digits before the point move up by one byte, over the point.
+        const __m512i low_moved = _mm512_maskz_mov_epi64(of_low, low_before);
+        const __m512i high_moved = _mm512_mask_mov_epi64(_mm512_maskz_mov_epi64(of_high, high_before), of_low, all);
+        const auto joined = [](__m512i digits, __m512i moved) {
+            return _mm512_or_si512(_mm512_andnot_si512(moved, digits),
+                                   _mm512_slli_epi64(_mm512_and_si512(digits, moved), 8));
+        };
+        const __m512i across = _mm512_maskz_srli_epi64(of_low, high_digits, 56);
+        const __m512i upper = number_in(joined(high_digits, high_moved));
+        const __m512i lower = number_in(_mm512_or_si512(joined(low_digits, low_moved), across));
+        const __m512i number = _mm512_add_epi64(_mm512_mul_epu32(upper, _mm512_set1_epi64(100000000)), lower);
+        const __m512i before = _mm512_sad_epu8(
+            _mm512_add_epi8(_mm512_and_si512(high_moved, ones), _mm512_and_si512(low_moved, ones)), zero);
+        const auto has_point = static_cast<__mmask8>(of_high | of_low);
+        const __m512i decimals = _mm512_maskz_sub_epi64(has_point, _mm512_set1_epi64(15), before);
+        const __m512d power = _mm512_permutex2var_pd(_mm512_setr_pd(1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7), decimals,
+                                                     _mm512_setr_pd(1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15));
+        const __m512d value = _mm512_div_pd(_mm512_cvtepi64_pd(number), power);
+        const __m512i sign =
+            _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
+        _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
+        const __m512i large = _mm512_srli_epi64(number, 52); // not exact
+        return static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
+               static_cast<unsigned>(_mm512_test_epi64_mask(large, large)) | static_cast<unsigned>(of_high & of_low);
+    }
+
+    // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.
+    static __m512i number_in(__m512i digits) {
+        const __m512i pairs = _mm512_maddubs_epi16(digits, _mm512_set1_epi16(0x010A)); // 10 and 1
+        const __m512i fours = _mm512_madd_epi16(pairs, _mm512_set1_epi32(0x00010064)); // 100 and 1
+        return _mm512_add_epi64(_mm512_mul_epu32(fours, _mm512_set1_epi64(10000)), _mm512_srli_epi64(fours, 32));
     }
 
     static void widen(const double* numbers, std::size_t count, double& lowest, double& highest) {
@@ -403,31 +586,73 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
     return true;
 }
 
+// Converts the tokens of the list `left`, which convert() could not; returns the first that no method converts, or
+// `count`.
+template<class S>
+std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::uint16_t* left, std::size_t left_count,
+                         std::size_t count, const NumberRun& run, double* numbers) {
+    using Words = TokenWords<S>;
+    const auto slowly = [&](std::size_t k) {
+        return run.convert(text + tokens.begins[k], text + tokens.ends[k], numbers[k]);
+    };
+    if constexpr (Words::converts_wide) {
+        constexpr std::size_t lanes = Words::lanes;
+        for (std::size_t i = 0; i < left_count; i += lanes) {
+            std::uint32_t begins[lanes];
+            std::uint32_t ends[lanes];
+            double some[lanes];
+            const std::size_t here = left_count - i < lanes ? left_count - i : lanes;
+            bool readable = true;
+            for (std::size_t k = 0; k < lanes; ++k) {
+                const std::uint16_t token = left[i + (k < here ? k : 0)];
+                begins[k] = tokens.begins[token];
+                ends[k] = tokens.ends[token];
+                readable = readable && ends[k] >= 8; // eight bytes lie before the text
+            }
+            const unsigned bad = readable ? Words::convert_wide(text, begins, ends, some) : ~0U;
+            for (std::size_t k = 0; k < here; ++k) {
+                const std::size_t token = left[i + k];
+                // Shorter tokens were refused for another reason.
+                if ((bad >> k & 1U) == 0 && ends[k] - begins[k] > 8 && ends[k] - begins[k] <= 16)
+                    numbers[token] = some[k];
+                else if (!slowly(token))
+                    return token;
+            }
+        }
+    } else {
+        for (std::size_t i = 0; i < left_count; ++i)
+            if (!slowly(left[i])) return left[i];
+    }
+    return count;
+}
+
 // Converts the first `count` tokens; returns how many could be.
 template<class S>
 std::size_t convert_tokens(const char* text, Tokens<S>& tokens, std::size_t count, const NumberRun& run,
                            double* numbers) {
     using Words = TokenWords<S>;
     constexpr std::size_t lanes = Words::lanes;
-    for (std::size_t i = 0; i < count; i += lanes) {
-        double some[lanes] = {};
-        const bool whole = i + lanes <= count;
-        for (std::size_t k = count; !whole && k < i + lanes; ++k) {
+    std::uint16_t left[Tokens<S>::most + lanes];
+    std::size_t left_count = 0;
+    const auto leave = [&](unsigned bad, std::size_t i) {
+        for (; bad != 0; bad &= bad - 1)
+            left[left_count++] = static_cast<std::uint16_t>(i + static_cast<unsigned>(__builtin_ctz(bad)));
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        leave(Words::convert(text, tokens.begins + i, tokens.ends + i, numbers + i), i);
+    if (i < count) {
+        for (std::size_t k = count; k < i + lanes; ++k) {
             tokens.begins[k] = tokens.begins[count - 1];
             tokens.ends[k] = tokens.ends[count - 1];
         }
-        const unsigned bad = Words::convert(text, tokens.begins + i, tokens.ends + i, whole ? numbers + i : some);
-        const std::size_t here = whole ? lanes : count - i;
-        for (std::size_t k = 0; !whole && k < here; ++k)
-            numbers[i + k] = some[k];
-        if (bad == 0) [[likely]]
-            continue;
-        for (std::size_t k = 0; k < here; ++k)
-            if ((bad >> k & 1U) != 0 &&
-                !run.convert(text + tokens.begins[i + k], text + tokens.ends[i + k], numbers[i + k]))
-                return i + k;
+        double some[lanes] = {};
+        const unsigned bad = Words::convert(text, tokens.begins + i, tokens.ends + i, some);
+        for (std::size_t k = i; k < count; ++k)
+            numbers[k] = some[k - i];
+        leave(bad & ((1U << (count - i)) - 1), i);
     }
-    return count;
+    return left_count == 0 ? count : convert_left(text, tokens, left, left_count, count, run, numbers);
 }
 
 template<class S, Separators separators>
