@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -122,26 +123,57 @@ private:
         return true;
     }
 
-    // Reads as many lines of the table as can be read quickly: each is one number followed directly by the line end.
-    std::size_t next_quickly(std::span<double> numbers) {
+    // Reads as many lines as can be read quickly: each is one number followed directly by the line end. `lowest` and
+    // `highest` are widened to include the numbers.
+    std::size_t next_quickly(std::span<double> numbers, double& lowest, double& highest) {
         const char* const first = report_.bytes().data();
-        const char* const begin = first + lines_.offset();
         NumberRun run;
-        run.at = begin;
+        run.at = first + lines_.offset();
         run.end = first + text_.end;
         run.numbers = numbers.data();
         run.wanted = numbers.size();
-        run.lowest = lowest_;
-        run.highest = highest_;
+        run.lowest = lowest;
+        run.highest = highest;
         take_numbers(run, first, Separators::lines);
         if (run.taken == 0) return 0;
-        lowest_ = run.lowest;
-        highest_ = run.highest;
+        lowest = run.lowest;
+        highest = run.highest;
         number_offset_ = static_cast<std::size_t>(run.last - first);
         lines_.go_to(static_cast<std::size_t>(run.at - first));
-        if (lowest_ < 0.0 && places_.first_negative == no_place)
-            places_.first_negative = static_cast<std::size_t>(first_negative(begin, numbers.first(run.taken)) - first);
         return run.taken;
+    }
+
+    // The same for the table.
+    std::size_t next_intensities(std::span<double> numbers) {
+        const std::size_t begin = lines_.offset();
+        const std::size_t taken = next_quickly(numbers, lowest_, highest_);
+        if (taken > 0 && lowest_ < 0.0 && places_.first_negative == no_place) {
+            const char* const first = report_.bytes().data();
+            places_.first_negative =
+                static_cast<std::size_t>(first_negative(first + begin, numbers.first(taken)) - first);
+        }
+        return taken;
+    }
+
+    // Adds the angles of the list that can be read quickly, ascend and are within 0 to `most`; false if the next one
+    // does not. `count` are announced; the list is not allocated for more angles than were seen.
+    bool ascend_quickly(std::vector<double>& list, std::size_t count, double most) {
+        std::array<double, 64> angles;
+        const LineScanner begin = lines_;
+        double lowest = 0.0;
+        double highest = 0.0;
+        const std::size_t wanted = std::min(angles.size(), count - list.size());
+        const std::size_t read = next_quickly(std::span(angles).first(wanted), lowest, highest);
+        std::size_t ascend = 0;
+        for (double before = list.empty() ? -HUGE_VAL : list.back();
+             ascend < read && angles[ascend] > before && angles[ascend] >= 0.0 && angles[ascend] <= most; ++ascend)
+            before = angles[ascend];
+        if (ascend < read) {
+            lines_ = begin;
+            if (ascend > 0) next_quickly(std::span(angles).first(ascend), lowest, highest);
+        }
+        list.insert(list.end(), angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(ascend));
+        return ascend > 0;
     }
 
     // Where the first negative one of `numbers` begins, which were read from the lines at `line`.
@@ -310,6 +342,13 @@ private:
                                 fmt::format("{} C-planes announced, {} found", count, file_.planes_deg.size()));
         };
         while (file_.planes_deg.size() < count) {
+            const std::size_t begin = lines_.offset();
+            const bool is_first = file_.planes_deg.empty();
+            if (ascend_quickly(file_.planes_deg, count, 360.0)) {
+                if (is_first) places_.horizontal = begin;
+                places_.last_horizontal = number_offset_;
+                continue;
+            }
             double value = 0.0;
             if (!next_quickly(value)) {
                 Line line;
@@ -339,6 +378,13 @@ private:
                                 fmt::format("{} gamma angles announced, {} found", count, file_.gammas_deg.size()));
         };
         while (file_.gammas_deg.size() < count) {
+            const std::size_t begin = lines_.offset();
+            const bool is_first = file_.gammas_deg.empty();
+            if (ascend_quickly(file_.gammas_deg, count, 180.0)) {
+                if (is_first) places_.vertical = begin;
+                places_.last_vertical = number_offset_;
+                continue;
+            }
             double value = 0.0;
             if (!next_quickly(value)) {
                 Line line;
@@ -375,7 +421,7 @@ private:
         while (found < count) {
             if (found == table.size())
                 table.resize(found + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - found)));
-            found += next_quickly(std::span(table).subspan(found));
+            found += next_intensities(std::span(table).subspan(found));
             if (found == table.size()) continue;
             double value = 0.0;
             if (!next_quickly(value)) {

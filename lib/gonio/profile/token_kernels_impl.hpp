@@ -36,8 +36,7 @@ struct Tokens {
     static constexpr std::size_t overrun = 64;                       // entries that may be written behind the last
     std::uint32_t begins[most + overrun];
     std::uint32_t ends[most + overrun];
-    std::size_t begun;
-    std::size_t ended; // `begun`, or one less: the last token goes on behind the piece
+    std::size_t ended; // one may have begun after them, which goes on behind the piece
 };
 
 // --- One token at a time, on any machine.
@@ -96,9 +95,11 @@ struct TokenWords {
         return masks;
     }
 
-    static void list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* entries, std::size_t& count) {
+    // Lists offset + i for each bit i from `to` on; returns where the next goes.
+    static std::uint32_t* list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* to) {
         for (; mask != 0; mask &= mask - 1)
-            entries[count++] = offset + static_cast<std::uint32_t>(__builtin_ctzll(mask));
+            *to++ = offset + static_cast<std::uint32_t>(__builtin_ctzll(mask));
+        return to;
     }
 
     // Bit i of the result: token i is not a number of at most eight characters, and number i means nothing.
@@ -190,15 +191,14 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
     }
 
     // Eight at a time, and none of them waits for the number of entries: some written behind the last mean nothing.
-    static void list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* entries, std::size_t& count) {
-        const auto all = static_cast<std::size_t>(__builtin_popcountll(mask));
-        std::uint32_t* to = entries + count;
-        count += all;
-        for (std::size_t done = 0; done < all; done += 8)
+    static std::uint32_t* list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* to) {
+        std::uint32_t* const behind = to + __builtin_popcountll(mask);
+        while (to < behind)
             for (int i = 0; i < 8; ++i) {
                 *to++ = offset + static_cast<std::uint32_t>(__builtin_ctzll(mask | std::uint64_t{1} << 63U));
                 mask &= mask - 1;
             }
+        return behind;
     }
 
     static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
@@ -390,15 +390,16 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         return masks;
     }
 
-    static void list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* entries, std::size_t& count) {
+    static std::uint32_t* list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* to) {
         __m512i places = _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(offset)),
                                           _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
         for (unsigned i = 0; i < 64; i += 16) {
             const auto sixteen = static_cast<__mmask16>(mask >> i);
-            _mm512_storeu_si512(entries + count, _mm512_maskz_compress_epi32(sixteen, places));
-            count += static_cast<std::size_t>(__builtin_popcount(sixteen));
+            _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(sixteen, places));
+            to += __builtin_popcount(sixteen);
             places = _mm512_add_epi32(places, _mm512_set1_epi32(16));
         }
+        return to;
     }
 
     static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
@@ -559,16 +560,17 @@ template<class S, Separators separators>
 bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned blocks, Tokens<S>& tokens) {
     std::uint64_t before = 0;    // whether the byte before is numeric
     std::uint64_t cr_before = 0; // whether it is CR
-    tokens.begun = 0;
-    tokens.ended = 0;
-    for (std::uint32_t offset = 0; offset < blocks * 64 && tokens.ended < wanted; offset += 64) {
-        if (end - text < static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead) return false;
+    std::uint64_t wrong = 0;
+    std::uint32_t* begins_to = tokens.begins;
+    std::uint32_t* ends_to = tokens.ends;
+    std::uint32_t offset = 0;
+    for (; offset < blocks * 64 && ends_to < tokens.ends + wanted; offset += 64) {
+        if (end - text < static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead) break;
         const ByteMasks<S> masks = TokenWords<S>::template classify<separators>(text + offset);
         const std::uint64_t numeric = masks.numeric;
         const std::uint64_t after_numeric = numeric << 1U | before;
-        std::uint64_t begins = numeric & ~after_numeric;
-        std::uint64_t ends = ~numeric & after_numeric;
-        std::uint64_t wrong = 0;
+        const std::uint64_t begins = numeric & ~after_numeric;
+        const std::uint64_t ends = ~numeric & after_numeric;
         if constexpr (separators == Separators::lines) {
             const std::uint64_t after_cr = masks.cr << 1U | cr_before;
             wrong = ~(numeric | masks.cr | masks.lf) | (masks.cr & ~after_numeric) |
@@ -579,11 +581,12 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
         }
         before = numeric >> 63U;
         const std::uint64_t right = (wrong & (0 - wrong)) - 1; // the bytes before the first wrong one
-        TokenWords<S>::list(begins & right, offset, tokens.begins, tokens.begun);
-        TokenWords<S>::list(ends & right, offset, tokens.ends, tokens.ended);
-        if (wrong != 0) return false;
+        begins_to = TokenWords<S>::list(begins & right, offset, begins_to);
+        ends_to = TokenWords<S>::list(ends & right, offset, ends_to);
+        if (wrong != 0) break;
     }
-    return true;
+    tokens.ended = static_cast<std::size_t>(ends_to - tokens.ends);
+    return wrong == 0 && end - text >= static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead;
 }
 
 // Converts the tokens of the list `left`, which convert() could not; returns the first that no method converts, or
