@@ -32,7 +32,8 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most)
     std::size_t used = 0;
     std::size_t step = std::size_t{64} << 10;
     struct stat status {};
-    if (::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0)
+    const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+    if (regular && status.st_size > 0)
         step = std::min(static_cast<std::size_t>(status.st_size) + 1, std::size_t{16} << 20);
     for (;;) {
         if (used == bytes.size()) bytes.resize(used + std::max(step, used));
@@ -45,6 +46,7 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most)
         used += static_cast<std::size_t>(got);
         if (used > most.value)
             return fail("FIL0104", fmt::format("larger than {}", to_text(most)), std::string(limits_hint), name);
+        if (regular && status.st_size > 0 && used < bytes.size()) break; // a regular file gives less only at its end
     }
     bytes.resize(used);
     return bytes;
