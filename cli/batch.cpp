@@ -19,10 +19,7 @@ namespace {
 class Narrator {
 public:
     Narrator(const Batch& batch, ReportKind kind, Console& console)
-        : batch_(batch),
-          kind_(kind),
-          console_(console),
-          progress_(batch.inputs.size(), console.shows_progress()) {}
+        : batch_(batch), kind_(kind), console_(console), progress_(batch.inputs.size(), console.shows_progress()) {}
 
     void take(std::size_t index, Outcome outcome) {
         const std::scoped_lock lock(mutex_);

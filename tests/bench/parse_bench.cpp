@@ -4,12 +4,12 @@
 // `strtod`: the C library's conversion over the number sections of the same files and nothing else, the cost that most
 // readers of these formats have. `fast_float` is that library over the same sections, the upper limit for a reader that
 // uses it. `read` is read_profile; `resolve` is read_profile followed by resolve_web, which takes over the table.
-// `plain` reads number by number, as a reference for tests does; `scalar`, `avx2` and so on are `read` with the kernels of
-// one instruction set. Memory management is left to the allocator, including pages that it fetches again. The table at
-// the end shows the ratios; rates count whole files.
+// `plain` reads number by number, as a reference for tests does; `scalar`, `avx2` and so on are `read` with the kernels
+// of one instruction set. Memory management is left to the allocator, including pages that it fetches again. The table
+// at the end shows the ratios; rates count whole files.
 //
-// The group `files` reads 10,000 small files of a folder on all processors: `bytes` only reads their bytes, `resolve` reads
-// and resolves them. Its rates count files, and its times are those of the clock.
+// The group `files` reads 10,000 small files of a folder on all processors: `bytes` only reads their bytes, `resolve`
+// reads and resolves them. Its rates count files, and its times are those of the clock.
 #include <gonio/base/file.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/profile/read.hpp>
@@ -192,9 +192,8 @@ void register_group(const std::string& group, const Files& files) {
     add("read", only_read);
     add("resolve", read_and_resolve);
     const auto add_with = [&](const std::string& row, const profile_detail::TokenKernels* kernels) {
-        benchmark::RegisterBenchmark(
-            (group + "/" + row).c_str(),
-            [kernels, &files](benchmark::State& state) { read_with(state, files, kernels); });
+        benchmark::RegisterBenchmark((group + "/" + row).c_str(),
+                                     [kernels, &files](benchmark::State& state) { read_with(state, files, kernels); });
     };
     add_with("plain", nullptr);
     for (const simd::InstructionSet set : simd::available_sets())

@@ -381,8 +381,8 @@ private:
         return {};
     }
 
-    // Adds the angles that can be read quickly and ascend; false if the next one does not. The list is not allocated for
-    // more angles than were seen.
+    // Adds the angles that can be read quickly and ascend; false if the next one does not. The list is not allocated
+    // for more angles than were seen.
     bool ascend_quickly(std::vector<double>& list, std::size_t count) {
         std::array<double, 64> angles;
         const NumberScanner begin = numbers_;

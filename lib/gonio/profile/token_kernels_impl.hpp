@@ -1,4 +1,5 @@
-// The kernels of token_kernels.hpp as templates on the set's scalar; only kernels_tokens.cpp.in includes this. Internal.
+// The kernels of token_kernels.hpp as templates on the set's scalar; only kernels_tokens.cpp.in includes this.
+// Internal.
 //
 // Everything is a template on S, whose name contains the instruction set, and calls no function of std::.
 #pragma once
@@ -31,9 +32,9 @@ struct ByteMasks {
 // Tokens of one piece of a text, as offsets from its first byte. What lies between them separates numbers.
 template<class S>
 struct Tokens {
-    static constexpr unsigned blocks = 16;                           // of 64 bytes, at most
+    static constexpr unsigned blocks = 16;                            // of 64 bytes, at most
     static constexpr std::size_t most = std::size_t{blocks} * 64 / 2; // a token and what ends it are two bytes
-    static constexpr std::size_t overrun = 64;                       // entries that may be written behind the last
+    static constexpr std::size_t overrun = 64;                        // entries that may be written behind the last
     std::uint32_t begins[most + overrun];
     std::uint32_t ends[most + overrun];
     std::size_t ended; // one may have begun after them, which goes on behind the piece
@@ -125,8 +126,8 @@ struct TokenWords {
             // The digits before the point move up by one byte, over the point.
             const std::uint64_t before = (point >> 4U) - 1;
             const std::uint64_t digits = (token & ~(before | (point >> 4U) * 0xFF)) | (token & before) << 8U;
-            value = static_cast<double>(static_cast<std::int64_t>(number_in(digits))) /
-                    powers[__builtin_clzll(point) / 8];
+            value =
+                static_cast<double>(static_cast<std::int64_t>(number_in(digits))) / powers[__builtin_clzll(point) / 8];
         }
         *numbers = negative ? -value : value;
         return 0;
@@ -229,15 +230,15 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         const __m256i first = _mm256_andnot_si256(_mm256_slli_epi64(keep, 8), kept);
         const __m256i before = _mm256_add_epi64(point, all); // all bits where there is no point
         const __m256i slash = _mm256_and_si256(marks, _mm256_and_si256(token, second));
-        const __m256i wrong = _mm256_or_si256(
-            slash, _mm256_or_si256(_mm256_andnot_si256(first, minus), _mm256_and_si256(point, before)));
+        const __m256i wrong =
+            _mm256_or_si256(slash, _mm256_or_si256(_mm256_andnot_si256(first, minus), _mm256_and_si256(point, before)));
         const __m256i fine =
             _mm256_andnot_si256(_mm256_cmpeq_epi64(kept, marks), _mm256_cmpeq_epi64(wrong, zero)); // and with digits
         const __m256i digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, marks), token);
         // The digits before the point move up by one byte, over the point.
         const __m256i moved = _mm256_andnot_si256(_mm256_cmpeq_epi64(point, zero), before);
-        const __m256i joined = _mm256_or_si256(_mm256_andnot_si256(moved, digits),
-                                               _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
+        const __m256i joined =
+            _mm256_or_si256(_mm256_andnot_si256(moved, digits), _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
         const __m256i number = number_in(joined);
         // By the bytes before the point; 8 where there is none.
         const __m256i index =
@@ -246,8 +247,8 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         const __m256i power =
             _mm256_blend_epi32(_mm256_permutevar8x32_epi32(powers, index), zero, 0xAA); // the upper half is powers[0]
         const __m256d value = _mm256_div_pd(to_double(number), to_double(power));
-        const __m256d sign = _mm256_castsi256_pd(
-            _mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
+        const __m256d sign =
+            _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
         _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
         return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
     }
@@ -317,12 +318,11 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
                                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
         const __m256d power = _mm256_i64gather_pd(powers, _mm256_and_si256(decimals, _mm256_set1_epi64x(15)), 8);
         const __m256d value = _mm256_div_pd(to_double(number), power);
-        const __m256d sign = _mm256_castsi256_pd(
-            _mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
+        const __m256d sign =
+            _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
         _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
         const __m256i exact = _mm256_cmpeq_epi64(_mm256_srli_epi64(number, 52), zero);
-        const __m256i fine =
-            _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact));
+        const __m256i fine = _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact));
         return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
     }
 
@@ -419,8 +419,7 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         // The words that end with the tokens; bytes before a token are cleared, and all of those of a long one.
         const __m512i keep =
             _mm512_sllv_epi64(all, _mm512_sub_epi64(_mm512_set1_epi64(64), _mm512_slli_epi64(length, 3)));
-        const __m512i words =
-            _mm512_set_epi64(word(7), word(6), word(5), word(4), word(3), word(2), word(1), word(0));
+        const __m512i words = _mm512_set_epi64(word(7), word(6), word(5), word(4), word(3), word(2), word(1), word(0));
         const __m512i token = _mm512_and_si512(_mm512_xor_si512(words, _mm512_set1_epi8('0')), keep);
         // Digits are 0 to 9 now, '-' 0x1D, '.' 0x1E and '/' 0x1F.
         const __m512i marks = _mm512_and_si512(_mm512_srli_epi64(token, 4), ones);
@@ -431,23 +430,22 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const __m512i first = _mm512_andnot_si512(_mm512_slli_epi64(keep, 8), kept);
         const __m512i before = _mm512_add_epi64(point, all); // all bits where there is no point
         const __m512i slash = _mm512_and_si512(marks, _mm512_and_si512(token, second));
-        const __m512i wrong = _mm512_or_si512(
-            slash, _mm512_or_si512(_mm512_andnot_si512(first, minus), _mm512_and_si512(point, before)));
+        const __m512i wrong =
+            _mm512_or_si512(slash, _mm512_or_si512(_mm512_andnot_si512(first, minus), _mm512_and_si512(point, before)));
         const unsigned bad = static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
                              static_cast<unsigned>(_mm512_cmpeq_epi64_mask(kept, marks)); // no digit
         const __m512i digits = _mm512_andnot_si512(_mm512_sub_epi8(zero, marks), token);
         // The digits before the point move up by one byte, over the point.
         const __m512i moved = _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(point, point), before);
-        const __m512i joined = _mm512_or_si512(_mm512_andnot_si512(moved, digits),
-                                               _mm512_slli_epi64(_mm512_and_si512(digits, moved), 8));
+        const __m512i joined =
+            _mm512_or_si512(_mm512_andnot_si512(moved, digits), _mm512_slli_epi64(_mm512_and_si512(digits, moved), 8));
         const __m512i number = number_in(joined);
         // By the bytes before the point; 8 where there is none.
         const __m512i index = _mm512_sad_epu8(_mm512_and_si512(before, ones), zero);
         const __m512d powers = _mm512_setr_pd(1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1e0);
         const __m512d power = _mm512_permutex2var_pd(powers, index, _mm512_set1_pd(1.0));
         const __m512d value = _mm512_div_pd(_mm512_cvtepi64_pd(number), power);
-        const __m512i sign =
-            _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
+        const __m512i sign = _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
         _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
         return bad;
     }
@@ -516,8 +514,7 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const __m512d power = _mm512_permutex2var_pd(_mm512_setr_pd(1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7), decimals,
                                                      _mm512_setr_pd(1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15));
         const __m512d value = _mm512_div_pd(_mm512_cvtepi64_pd(number), power);
-        const __m512i sign =
-            _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
+        const __m512i sign = _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
         _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
         const __m512i large = _mm512_srli_epi64(number, 52); // not exact
         return static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
@@ -564,7 +561,7 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
     std::uint32_t* begins_to = tokens.begins;
     std::uint32_t* ends_to = tokens.ends;
     std::uint32_t offset = 0;
-    for (; offset < blocks * 64 && ends_to < tokens.ends + wanted; offset += 64) {
+    for (; offset < blocks * 64 && static_cast<std::size_t>(ends_to - tokens.ends) < wanted; offset += 64) {
         if (end - text < static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead) break;
         const ByteMasks<S> masks = TokenWords<S>::template classify<separators>(text + offset);
         const std::uint64_t numeric = masks.numeric;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-// ∫ of w sinγ for w linear from γ_low to γ_high, with what depends on the angles alone: each plane of a web has the same.
-// With m the middle, h the half width, w̄ the mean and δ half the rise:
+// ∫ of w sinγ for w linear from γ_low to γ_high, with what depends on the angles alone: each plane of a web has the
+// same. With m the middle, h the half width, w̄ the mean and δ half the rise:
 //   ∫ = 2[ w̄ sin m sin h + δ cos m (sin h/h − cos h) ],
 // with a series for the parentheses at small h, where they cancel; at h = ½ the next term is 1e-17 of them.
 class SineCell {
@@ -23,8 +23,9 @@ public:
         const double h = 0.5 * (gamma_high - gamma_low);
         const double h2 = h * h;
         const double series =
-            1.0 - h2 / 10.0 *
-                      (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0 * (1.0 - h2 / 130.0 * (1.0 - h2 / 180.0)))));
+            1.0 -
+            h2 / 10.0 *
+                (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0 * (1.0 - h2 / 130.0 * (1.0 - h2 / 180.0)))));
         sin_middle_ = std::sin(m);
         cos_middle_ = std::cos(m);
         sin_half_ = std::sin(h);

@@ -229,8 +229,8 @@ TEST(TokenKernels, GiveTheNearestDoubleForEveryShape) {
                     if (i == 3 && point == 0) text += '.';
                     shapes.push_back((negative ? "-" : "") + text);
                 }
-    for (const char* const odd : {"-", ".", "-.", "1-2", "1/2", "--1", "1.2.3", "123456.78.9", "12345678-9", "1234567/9",
-                                  "-12345678-", ".123456789.", "9007199254740993", "4503599627370497"})
+    for (const char* const odd : {"-", ".", "-.", "1-2", "1/2", "--1", "1.2.3", "123456.78.9", "12345678-9",
+                                  "1234567/9", "-12345678-", ".123456789.", "9007199254740993", "4503599627370497"})
         shapes.emplace_back(odd);
     for (const std::string& shape : shapes) {
         std::string text = "IESNA91\n";
@@ -268,7 +268,8 @@ TEST(TokenKernels, TakeLinesOfOneNumberEachAndNoOthers) {
         while (text.size() < 3000) {
             lines.push_back(text.size());
             text += std::to_string(random() % 10000) + (random() % 2 != 0 ? ".25" : "");
-            text += lines.size() == strange ? odd[random() % std::size(odd)] : ends[i % 4 == 3 ? random() % 3 : static_cast<std::size_t>(i % 4)];
+            text += lines.size() == strange ? odd[random() % std::size(odd)]
+                                            : ends[i % 4 == 3 ? random() % 3 : static_cast<std::size_t>(i % 4)];
         }
         for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
             std::vector<double> numbers(lines.size());

@@ -1,9 +1,10 @@
 // Reading in bulk, with every instruction set, gives what reading number by number gives: file, messages and places.
+#include "same_reading.hpp"
+
 #include <gonio/base/file.hpp>
 #include <gonio/profile/reader_report.hpp>
 
 #include "../folders.hpp"
-#include "same_reading.hpp"
 
 #include <gtest/gtest.h>
 
