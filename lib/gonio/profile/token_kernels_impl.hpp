@@ -597,28 +597,42 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
     };
     if constexpr (Words::converts_wide) {
         constexpr std::size_t lanes = Words::lanes;
-        for (std::size_t i = 0; i < left_count; i += lanes) {
-            std::uint32_t begins[lanes];
-            std::uint32_t ends[lanes];
+        std::uint16_t group[lanes]; // tokens to convert together
+        std::uint32_t begins[lanes];
+        std::uint32_t ends[lanes];
+        std::size_t grouped = 0;
+        std::size_t converted = count; // before the first that is not
+        const auto close_group = [&] {
+            if (grouped == 0) return;
+            for (std::size_t k = grouped; k < lanes; ++k) {
+                begins[k] = begins[0];
+                ends[k] = ends[0];
+            }
             double some[lanes];
-            const std::size_t here = left_count - i < lanes ? left_count - i : lanes;
-            bool readable = true;
-            for (std::size_t k = 0; k < lanes; ++k) {
-                const std::uint16_t token = left[i + (k < here ? k : 0)];
-                begins[k] = tokens.begins[token];
-                ends[k] = tokens.ends[token];
-                readable = readable && ends[k] >= 8; // eight bytes lie before the text
+            const unsigned bad = Words::convert_wide(text, begins, ends, some);
+            for (std::size_t k = 0; k < grouped; ++k) {
+                if ((bad >> k & 1U) == 0)
+                    numbers[group[k]] = some[k];
+                else if (!slowly(group[k]) && group[k] < converted)
+                    converted = group[k];
             }
-            const unsigned bad = readable ? Words::convert_wide(text, begins, ends, some) : ~0U;
-            for (std::size_t k = 0; k < here; ++k) {
-                const std::size_t token = left[i + k];
-                // Shorter tokens were refused for another reason.
-                if ((bad >> k & 1U) == 0 && ends[k] - begins[k] > 8 && ends[k] - begins[k] <= 16)
-                    numbers[token] = some[k];
-                else if (!slowly(token))
-                    return token;
+            grouped = 0;
+        };
+        for (std::size_t i = 0; i < left_count && converted == count; ++i) {
+            const std::uint16_t token = left[i];
+            const std::uint32_t length = tokens.ends[token] - tokens.begins[token];
+            // Shorter ones were refused for another reason; eight bytes lie before the text.
+            if (length <= 8 || length > 16 || tokens.ends[token] < 8) {
+                if (!slowly(token)) converted = token;
+                continue;
             }
+            group[grouped] = token;
+            begins[grouped] = tokens.begins[token];
+            ends[grouped] = tokens.ends[token];
+            if (++grouped == lanes) close_group();
         }
+        close_group();
+        return converted;
     } else {
         for (std::size_t i = 0; i < left_count; ++i)
             if (!slowly(left[i])) return left[i];
