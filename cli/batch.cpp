@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <mutex>
 #include <utility>
 
@@ -18,19 +19,16 @@ namespace {
 class Narrator {
 public:
     Narrator(const Batch& batch, ReportKind kind, Console& console)
-        : batch_(batch),
-          kind_(kind),
-          console_(console),
-          progress_(batch.inputs.size(), console.shows_progress()),
-          waiting_(batch.inputs.size()) {}
+        : batch_(batch), kind_(kind), console_(console), progress_(batch.inputs.size(), console.shows_progress()) {}
 
     void take(std::size_t index, Outcome outcome) {
         const std::scoped_lock lock(mutex_);
-        waiting_[index] = std::move(outcome);
-        if (waiting_[next_].has_value()) progress_.clear();
-        for (; next_ < waiting_.size() && waiting_[next_].has_value(); ++next_) {
-            say(batch_.inputs[next_], *waiting_[next_]);
-            waiting_[next_].reset();
+        if (index - next_ >= waiting_.size()) waiting_.resize(index - next_ + 1);
+        waiting_[index - next_] = std::move(outcome);
+        if (waiting_.front().has_value()) progress_.clear();
+        for (; !waiting_.empty() && waiting_.front().has_value(); ++next_) {
+            say(batch_.inputs[next_], *waiting_.front());
+            waiting_.pop_front();
             status_ = console_.flush(status_);
         }
         ++taken_;
@@ -97,8 +95,9 @@ private:
     Console& console_;
     std::mutex mutex_;
     Progress progress_;
-    std::vector<std::optional<Outcome>> waiting_; // done, but not yet printed
-    std::size_t next_ = 0;                        // the input to print next
+    // From the input to print next up to the last that is done: a catalogue's are never held as a whole.
+    std::deque<std::optional<Outcome>> waiting_;
+    std::size_t next_ = 0; // the input to print next
     std::size_t taken_ = 0;
     std::size_t failed_ = 0;
     std::size_t unchanged_ = 0;

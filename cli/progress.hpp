@@ -13,7 +13,8 @@ public:
     // `wanted`: whether the bar would be visible.
     Progress(std::size_t total, bool wanted) : total_(total), wanted_(wanted) {}
 
-    // Redraws the bar, at most ten times per second: `done` items are finished, `latest` is the last of them.
+    // Redraws the bar, at most ten times per second, with the items per second and the time that is left: `done` items
+    // are finished, `latest` is the last of them.
     void show(std::size_t done, std::string_view latest);
 
     // Removes the bar, so that a message can be written.

@@ -19,7 +19,7 @@ import sys
 BASELINES = {
     "sphere": [(r"^method/.*$", "method/exact/float"), (r"^(.*)/[^/]+$", r"\1/scalar")],
     "area": [(r"^([^/]+/[^/]+)/.*$", r"\1/exact/scalar")],
-    "parse": [(r"^([^/]+)/.*$", r"\1/strtod")],
+    "parse": [(r"^files/.*$", "files/bytes/real_time"), (r"^([^/]+)/.*$", r"\1/strtod")],
     "color": [(r"^inverse/.*$", "inverse/newton-on-sum"), (r"^[^/]+/(?!1nm)(.*)$", r"krystek/\1")],
     "units": [(r"^.*$", "baseline: 800 / 4 pi")],
     "bake": [(r"^(latlong-[^/]+)/.*$", r"\1/lookup"), (r"^.*$", "latlong-1024x512/lookup")],

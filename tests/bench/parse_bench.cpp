@@ -4,10 +4,16 @@
 // `strtod`: the C library's conversion over the number sections of the same files and nothing else, the cost that most
 // readers of these formats have. `fast_float` is that library over the same sections, the upper limit for a reader that
 // uses it. `read` is read_profile; `resolve` is read_profile followed by resolve_web, which takes over the table.
-// Memory management is left to the allocator, including pages that it fetches again. The table at the end shows the
-// ratios; rates count whole files.
+// `plain` reads number by number, as a reference for tests does; `scalar`, `avx2` and so on are `read` with the kernels
+// of one instruction set. Memory management is left to the allocator, including pages that it fetches again. The table
+// at the end shows the ratios; rates count whole files.
+//
+// The group `files` reads 10,000 small files of a folder on all processors: `bytes` only reads their bytes, `resolve`
+// reads and resolves them. Its rates count files, and its times are those of the clock.
 #include <gonio/base/file.hpp>
+#include <gonio/base/parallel.hpp>
 #include <gonio/profile/read.hpp>
+#include <gonio/profile/token_kernels.hpp>
 #include <gonio/web/resolve.hpp>
 
 #include <benchmark/benchmark.h>
@@ -18,9 +24,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -127,6 +135,11 @@ void only_read(benchmark::State& state, const Files& files) {
     state.SetBytesProcessed(state.iterations() * bytes_of(files));
 }
 
+void read_with(benchmark::State& state, const Files& files, const profile_detail::TokenKernels* kernels) {
+    const profile_detail::UseTokenKernels use(kernels);
+    only_read(state, files);
+}
+
 void read_and_resolve(benchmark::State& state, const Files& files) {
     for (auto _ : state)
         for (const File& file : files) {
@@ -178,6 +191,55 @@ void register_group(const std::string& group, const Files& files) {
     add("fast_float", with_fast_float);
     add("read", only_read);
     add("resolve", read_and_resolve);
+    const auto add_with = [&](const std::string& row, const profile_detail::TokenKernels* kernels) {
+        benchmark::RegisterBenchmark((group + "/" + row).c_str(),
+                                     [kernels, &files](benchmark::State& state) { read_with(state, files, kernels); });
+    };
+    add_with("plain", nullptr);
+    for (const simd::InstructionSet set : simd::available_sets())
+        add_with(simd::to_text(set), &profile_detail::token_kernels(set));
+}
+
+// --- Many small files.
+
+// A folder of the authored profiles of about 5 KB, again and again; removed at the end.
+class SmallFiles {
+public:
+    static constexpr std::size_t count = 10000;
+
+    explicit SmallFiles(const Files& from) : folder_(fs::temp_directory_path() / "gonio-bench-parse-files") {
+        Files small;
+        for (const File& file : from)
+            if (file.bytes.size() > 3500 && file.bytes.size() < 8000) small.push_back(file);
+        if (small.empty()) return;
+        fs::create_directories(folder_);
+        for (std::size_t i = 0; i < count; ++i) {
+            const File& file = small[i % small.size()];
+            paths_.push_back((folder_ / (std::to_string(i) + fs::path(file.name).extension().string())).string());
+            std::ofstream(paths_.back(), std::ios::binary) << file.bytes;
+        }
+    }
+    SmallFiles(const SmallFiles&) = delete;
+    SmallFiles& operator=(const SmallFiles&) = delete;
+    ~SmallFiles() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    const std::vector<std::string>& paths() const { return paths_; }
+
+private:
+    fs::path folder_;
+    std::vector<std::string> paths_;
+};
+
+template<class Work>
+void register_files(const char* row, const SmallFiles& files, Work work) {
+    benchmark::RegisterBenchmark(row, [&files, work](benchmark::State& state) {
+        for (auto _ : state)
+            parallel_for(files.paths().size(), 0, [&](std::size_t i) { work(files.paths()[i]); });
+        state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(files.paths().size()));
+    })->UseRealTime();
 }
 
 Files largest_of(const Files& files) {
@@ -203,6 +265,19 @@ int main(int argc, char** argv) {
     register_group("largest-ldt", largest_ldt);
     register_group("authored-ies", authored_ies);
     register_group("authored-ldt", authored_ldt);
+    const SmallFiles small(authored_ies);
+    if (!small.paths().empty()) {
+        register_files("files/bytes", small, [](const std::string& path) {
+            const Result<std::string> bytes = read_file(path);
+            benchmark::DoNotOptimize(&bytes);
+        });
+        register_files("files/resolve", small, [](const std::string& path) {
+            Result<Profile> profile = read_profile_file(path);
+            if (!profile) return;
+            const Result<ResolvedWeb> web = resolve_web(std::move(*profile));
+            benchmark::DoNotOptimize(&web);
+        });
+    }
     benchmark::Initialize(&argc, argv);
     Ratios reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);

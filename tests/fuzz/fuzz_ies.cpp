@@ -4,7 +4,7 @@
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
-#include "../unit/profile/equal.hpp"
+#include "../unit/profile/same_reading.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -15,6 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as text
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     const Result<Profile> read = read_profile(bytes, "fuzz", {ProfileFormat::ies, false});
+    for (const bool strictly : {false, true})
+        if (!test::difference_of_readings(bytes, "fuzz", {ProfileFormat::ies, strictly}).empty()) std::abort();
     const Result<Profile> strict = read_profile(bytes, "fuzz", {ProfileFormat::ies, true});
     if (strict && (!read || !test::equal(read->file, strict->file))) std::abort();
     if (!read) {

@@ -19,21 +19,26 @@ namespace {
 using detail::Descriptor;
 using detail::io_failure;
 
-Result<void> check_readable(int fd, const std::string& path) {
-    if (fd < 0) return io_failure("read", path, errno);
-    struct stat status {};
-    if (::fstat(fd, &status) == 0 && S_ISDIR(status.st_mode))
-        return fail("FIL0101", "cannot read: it is a folder", "name a file in it", path);
-    return {};
+// The size of a regular file that is not empty, else 0: unknown.
+std::size_t known_size(const struct stat& status) {
+    return S_ISREG(status.st_mode) && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
-Result<std::string> read_all(int fd, const std::string& name, const Limit& most) {
+// Fails if it was not opened or is a folder; returns its known_size().
+Result<std::size_t> check_readable(int fd, const std::string& path) {
+    if (fd < 0) return io_failure("read", path, errno);
+    struct stat status {};
+    if (::fstat(fd, &status) != 0) return 0;
+    if (S_ISDIR(status.st_mode)) return fail("FIL0101", "cannot read: it is a folder", "name a file in it", path);
+    return known_size(status);
+}
+
+// `size` is the file's known_size().
+Result<std::string> read_all(int fd, const std::string& name, const Limit& most, std::size_t size) {
     std::string bytes;
     std::size_t used = 0;
     std::size_t step = std::size_t{64} << 10;
-    struct stat status {};
-    if (::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0)
-        step = std::min(static_cast<std::size_t>(status.st_size) + 1, std::size_t{16} << 20);
+    if (size > 0) step = std::min(size + 1, std::size_t{16} << 20);
     for (;;) {
         if (used == bytes.size()) bytes.resize(used + std::max(step, used));
         const ssize_t got = ::read(fd, bytes.data() + used, bytes.size() - used);
@@ -45,6 +50,7 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most)
         used += static_cast<std::size_t>(got);
         if (used > most.value)
             return fail("FIL0104", fmt::format("larger than {}", to_text(most)), std::string(limits_hint), name);
+        if (size > 0 && used == size && used < bytes.size()) break; // there was room for a byte more
     }
     bytes.resize(used);
     return bytes;
@@ -54,13 +60,14 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most)
 
 Result<std::string> read_file(const std::string& path, const Limit& most) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
-    if (Result<void> readable = check_readable(file.get(), path); !readable) return pass_on(readable);
-    return read_all(file.get(), path, most);
+    Result<std::size_t> size = check_readable(file.get(), path);
+    if (!size) return pass_on(size);
+    return read_all(file.get(), path, most, *size);
 }
 
 Result<std::string> read_file_start(const std::string& path, std::size_t count) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
-    if (Result<void> readable = check_readable(file.get(), path); !readable) return pass_on(readable);
+    if (Result<std::size_t> size = check_readable(file.get(), path); !size) return pass_on(size);
     std::string bytes(count, '\0');
     std::size_t used = 0;
     while (used < count) {
@@ -75,7 +82,8 @@ Result<std::string> read_file_start(const std::string& path, std::size_t count) 
 }
 
 Result<std::string> read_standard_input(const Limit& most) {
-    return read_all(STDIN_FILENO, "-", most);
+    struct stat status {};
+    return read_all(STDIN_FILENO, "-", most, ::fstat(STDIN_FILENO, &status) == 0 ? known_size(status) : 0);
 }
 
 Result<void> write_standard_output(std::string_view bytes) {

@@ -163,7 +163,8 @@ std::string file_of(std::size_t count) {
 
 Result<std::vector<ScalingCurve>> by_file_size(const ScalingOptions& options) {
     const std::vector<std::size_t> steps =
-        options.quick ? std::vector<std::size_t>{6, 30, 90} : std::vector<std::size_t>{3, 6, 15, 30, 90, 180, 450, 900};
+        options.quick ? std::vector<std::size_t>{6, 30, 90}
+                      : std::vector<std::size_t>{3, 6, 15, 30, 90, 180, 450, 600}; // within profile-bytes
     std::vector<std::pair<std::size_t, std::string>> files;
     for (const std::size_t count : steps)
         files.emplace_back(count, file_of(count));

@@ -52,19 +52,41 @@ inline std::uint64_t number_of_digits(std::uint64_t digits) {
 // its remainder determine the nearest double.
 inline double divide_exactly(std::uint64_t w, int k) {
     __extension__ using Wide = unsigned __int128;
-    static constexpr std::array<std::uint64_t, 20> fives = [] {
-        std::array<std::uint64_t, 20> powers{1};
-        for (std::size_t i = 1; i < powers.size(); ++i)
-            powers[i] = powers[i - 1] * 5;
-        return powers;
+    // 5^k shifted up to 64 bits, and its reciprocal ⌊(2^128 − 1) / divisor⌋ − 2^64, so that nothing is divided here.
+    struct Divisor {
+        std::uint64_t divisor = 0;
+        std::uint64_t reciprocal = 0;
+        int up = 0;
+    };
+    static constexpr std::array<Divisor, 20> divisors = [] {
+        std::array<Divisor, 20> all{};
+        std::uint64_t five = 1;
+        for (Divisor& one : all) {
+            one.up = std::countl_zero(five);
+            one.divisor = five << static_cast<unsigned>(one.up);
+            one.reciprocal = static_cast<std::uint64_t>(~Wide{0} / one.divisor - (Wide{1} << 64U));
+            five *= 5;
+        }
+        return all;
     }();
-    const std::uint64_t five = fives[static_cast<std::size_t>(k)];
+    const auto [divisor, reciprocal, divisor_up] = divisors[static_cast<std::size_t>(k)];
     const int up = std::countl_zero(w);
-    const int divisor_up = std::countl_zero(five);
-    const std::uint64_t divisor = five << static_cast<unsigned>(divisor_up); // ≥ 2^63, so that the quotient fits
-    const Wide dividend = Wide{w << static_cast<unsigned>(up)} << 63U;
-    auto quotient = static_cast<std::uint64_t>(dividend / divisor);
-    const bool rest = dividend % divisor != 0;
+    // The dividend's upper word is below 2^63, so that the quotient fits (N. Möller, T. Granlund, Improved division by
+    // invariant integers, 2011).
+    const std::uint64_t upper = w << static_cast<unsigned>(up) >> 1U;
+    const std::uint64_t lower = w << static_cast<unsigned>(up) << 63U;
+    const Wide estimate = Wide{reciprocal} * upper + (Wide{upper} << 64U) + lower;
+    std::uint64_t quotient = static_cast<std::uint64_t>(estimate >> 64U) + 1;
+    std::uint64_t remainder = lower - quotient * divisor;
+    if (remainder > static_cast<std::uint64_t>(estimate)) {
+        --quotient;
+        remainder += divisor;
+    }
+    if (remainder >= divisor) {
+        ++quotient;
+        remainder -= divisor;
+    }
+    const bool rest = remainder != 0;
     // quotient 2^(divisor_up − up − 63 − k) is the number; its 62 to 64 bits are cut to 53.
     const int drop = 11 - std::countl_zero(quotient);
     // 9 ≤ drop ≤ 11; the analyzer does not see this.

@@ -352,6 +352,10 @@ private:
             return vertical ? report_.fail("IES0204", offset, message) : report_.fail("IES0205", offset, message);
         };
         while (list.size() < count) {
+            if (ascend_quickly(list, count)) {
+                last = numbers_.token_offset();
+                continue;
+            }
             double value = 0.0;
             const Token token = numbers_.next(value);
             if (token == Token::end) return missing(text_.end);
@@ -375,6 +379,26 @@ private:
             list.push_back(value);
         }
         return {};
+    }
+
+    // Adds the angles that can be read quickly and ascend; false if the next one does not. The list is not allocated
+    // for more angles than were seen.
+    bool ascend_quickly(std::vector<double>& list, std::size_t count) {
+        std::array<double, 64> angles;
+        const NumberScanner begin = numbers_;
+        double lowest = 0.0;
+        double highest = 0.0;
+        const std::size_t most = std::min(angles.size(), count - list.size());
+        const std::size_t read = numbers_.next_quickly(std::span(angles).first(most), lowest, highest);
+        std::size_t ascend = 0;
+        for (double before = list.empty() ? -HUGE_VAL : list.back(); ascend < read && angles[ascend] > before; ++ascend)
+            before = angles[ascend];
+        if (ascend < read) {
+            numbers_ = begin;
+            if (ascend > 0) numbers_.next_quickly(std::span(angles).first(ascend), lowest, highest);
+        }
+        list.insert(list.end(), angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(ascend));
+        return ascend > 0;
     }
 
     // Whether the horizontal list seems to begin with the rest of a vertical list that is longer than its count. Called
@@ -425,25 +449,27 @@ private:
         table.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, numbers_.remaining_bytes() / 2 + 1)));
         places_.candela = numbers_.at_end() ? text_.end : numbers_.token_offset();
         constexpr std::size_t block = 4096;
-        while (table.size() < count) {
-            const std::size_t before = table.size();
+        std::size_t found = 0; // in the table, which may be longer
+        while (found < count) {
+            if (found == table.size())
+                table.resize(found + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - found)));
             const NumberScanner block_begin = numbers_;
-            table.resize(before + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - before)));
-            table.resize(before + numbers_.next_quickly(std::span(table).subspan(before), lowest_, highest_));
+            found += numbers_.next_quickly(std::span(table).subspan(found), lowest_, highest_);
             if (lowest_ < 0.0 && places_.first_negative == no_place) find_negative(block_begin);
-            if (table.size() == count) break;
+            if (found == table.size()) continue;
             double value = 0.0;
             const Token token = numbers_.next(value);
             if (token == Token::end)
                 return report_.fail("IES0206", text_.end,
                                     fmt::format("{} candela values announced ({} vertical times {} horizontal angles), "
                                                 "{} found",
-                                                count, vertical_count_, horizontal_count_, table.size()));
+                                                count, vertical_count_, horizontal_count_, found));
             if (token != Token::number) return bad_token(token);
             if (value < 0.0 && places_.first_negative == no_place) places_.first_negative = numbers_.token_offset();
             lowest_ = std::min(lowest_, value);
             highest_ = std::max(highest_, value);
-            table.push_back(value);
+            table[found] = value;
+            ++found;
         }
         places_.peak = std::max(-lowest_, highest_);
         if (numbers_.exponent_offset() != no_place)

@@ -135,10 +135,10 @@ std::string in_letters(std::string name, char first, char last, int shift) {
 } // namespace
 
 ReadBeside reader_beside(const std::string& path) {
-    namespace fs = std::filesystem;
-    fs::path folder = fs::path(path).parent_path();
-    if (folder.empty()) folder = ".";
-    return [folder = std::move(folder)](const std::string& name) -> Result<std::string> {
+    return [path](const std::string& name) -> Result<std::string> {
+        namespace fs = std::filesystem;
+        fs::path folder = fs::path(path).parent_path();
+        if (folder.empty()) folder = ".";
         std::error_code failed;
         for (const std::string& spelling :
              {name, in_letters(name, 'A', 'Z', 'a' - 'A'), in_letters(name, 'a', 'z', 'A' - 'a')}) {

@@ -2,11 +2,11 @@
 #include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
-#include <gonio/profile/token_scan.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -123,34 +123,68 @@ private:
         return true;
     }
 
-    // Reads as many lines of the table as can be read quickly: each is one number followed directly by the line end.
-    std::size_t next_quickly(std::span<double> numbers) {
+    // Reads as many lines as can be read quickly: each is one number followed directly by the line end. `lowest` and
+    // `highest` are widened to include the numbers.
+    std::size_t next_quickly(std::span<double> numbers, double& lowest, double& highest) {
         const char* const first = report_.bytes().data();
-        const char* const end = first + text_.end;
-        const char* line = first + lines_.offset();
-        if (line - first < 8 || numbers.empty()) return 0;
-        double low = lowest_;
-        double high = highest_;
-        double* out = numbers.data();
-        double* const out_end = out + numbers.size();
-        for_each_token(line, end, [&](const char* begin, const char* behind) {
-            const bool two = behind[0] == '\r' && behind[1] == '\n';
-            double value = 0.0;
-            if (begin != line || !(two || behind[0] == '\n' || behind[0] == '\r') ||
-                !convert_token(begin, behind, value))
-                return false;
-            if (value < 0.0 && places_.first_negative == no_place)
-                places_.first_negative = static_cast<std::size_t>(begin - first);
-            low = value < low ? value : low;
-            high = value > high ? value : high;
-            *out = value;
-            line = behind + (two ? 2 : 1);
-            return ++out != out_end;
-        });
-        lines_.go_to(static_cast<std::size_t>(line - first));
-        lowest_ = low;
-        highest_ = high;
-        return static_cast<std::size_t>(out - numbers.data());
+        NumberRun run;
+        run.at = first + lines_.offset();
+        run.end = first + text_.end;
+        run.numbers = numbers.data();
+        run.wanted = numbers.size();
+        run.lowest = lowest;
+        run.highest = highest;
+        take_numbers(run, first, Separators::lines);
+        if (run.taken == 0) return 0;
+        lowest = run.lowest;
+        highest = run.highest;
+        number_offset_ = static_cast<std::size_t>(run.last - first);
+        lines_.go_to(static_cast<std::size_t>(run.at - first));
+        return run.taken;
+    }
+
+    // The same for the table.
+    std::size_t next_intensities(std::span<double> numbers) {
+        const std::size_t begin = lines_.offset();
+        const std::size_t taken = next_quickly(numbers, lowest_, highest_);
+        if (taken > 0 && lowest_ < 0.0 && places_.first_negative == no_place) {
+            const char* const first = report_.bytes().data();
+            places_.first_negative =
+                static_cast<std::size_t>(first_negative(first + begin, numbers.first(taken)) - first);
+        }
+        return taken;
+    }
+
+    // Adds the angles of the list that can be read quickly, ascend and are within 0 to `most`; false if the next one
+    // does not. `count` are announced; the list is not allocated for more angles than were seen.
+    bool ascend_quickly(std::vector<double>& list, std::size_t count, double most) {
+        std::array<double, 64> angles;
+        const LineScanner begin = lines_;
+        double lowest = 0.0;
+        double highest = 0.0;
+        const std::size_t wanted = std::min(angles.size(), count - list.size());
+        const std::size_t read = next_quickly(std::span(angles).first(wanted), lowest, highest);
+        std::size_t ascend = 0;
+        for (double before = list.empty() ? -HUGE_VAL : list.back();
+             ascend < read && angles[ascend] > before && angles[ascend] >= 0.0 && angles[ascend] <= most; ++ascend)
+            before = angles[ascend];
+        if (ascend < read) {
+            lines_ = begin;
+            if (ascend > 0) next_quickly(std::span(angles).first(ascend), lowest, highest);
+        }
+        list.insert(list.end(), angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(ascend));
+        return ascend > 0;
+    }
+
+    // Where the first negative one of `numbers` begins, which were read from the lines at `line`.
+    static const char* first_negative(const char* line, std::span<const double> numbers) {
+        for (const double number : numbers) {
+            if (number < 0.0) break;
+            while (*line != '\r' && *line != '\n')
+                ++line;
+            line += line[0] == '\r' && line[1] == '\n' ? 2 : 1;
+        }
+        return line;
     }
 
     Result<void> number(double& value, std::string_view what) {
@@ -308,6 +342,13 @@ private:
                                 fmt::format("{} C-planes announced, {} found", count, file_.planes_deg.size()));
         };
         while (file_.planes_deg.size() < count) {
+            const std::size_t begin = lines_.offset();
+            const bool is_first = file_.planes_deg.empty();
+            if (ascend_quickly(file_.planes_deg, count, 360.0)) {
+                if (is_first) places_.horizontal = begin;
+                places_.last_horizontal = number_offset_;
+                continue;
+            }
             double value = 0.0;
             if (!next_quickly(value)) {
                 Line line;
@@ -337,6 +378,13 @@ private:
                                 fmt::format("{} gamma angles announced, {} found", count, file_.gammas_deg.size()));
         };
         while (file_.gammas_deg.size() < count) {
+            const std::size_t begin = lines_.offset();
+            const bool is_first = file_.gammas_deg.empty();
+            if (ascend_quickly(file_.gammas_deg, count, 180.0)) {
+                if (is_first) places_.vertical = begin;
+                places_.last_vertical = number_offset_;
+                continue;
+            }
             double value = 0.0;
             if (!next_quickly(value)) {
                 Line line;
@@ -369,30 +417,27 @@ private:
         table.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, (text_.end - lines_.offset()) / 2 + 1)));
         places_.candela = lines_.offset();
         constexpr std::size_t block = 4096;
-        while (table.size() < count) {
-            const std::size_t before = table.size();
-            table.resize(before + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - before)));
-            table.resize(before + next_quickly(std::span(table).subspan(before)));
-            if (table.size() == count) break;
+        std::size_t found = 0; // in the table, which may be longer
+        while (found < count) {
+            if (found == table.size())
+                table.resize(found + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - found)));
+            found += next_intensities(std::span(table).subspan(found));
+            if (found == table.size()) continue;
             double value = 0.0;
-            Line line;
-            if (next_quickly(value)) {
-                if (value < 0.0 && places_.first_negative == no_place) places_.first_negative = number_offset_;
-                lowest_ = std::min(lowest_, value);
-                highest_ = std::max(highest_, value);
-                table.push_back(value);
-                continue;
+            if (!next_quickly(value)) {
+                Line line;
+                if (!table_line(line))
+                    return report_.fail("LDT0206", text_.end,
+                                        fmt::format("{} intensities announced ({} gamma angles in {} stored planes), "
+                                                    "{} found",
+                                                    count, gammas, planes, found));
+                if (Result<void> read = number_of(line, value, "intensity"); !read) return read;
             }
-            if (!table_line(line))
-                return report_.fail("LDT0206", text_.end,
-                                    fmt::format("{} intensities announced ({} gamma angles in {} stored planes), {} "
-                                                "found",
-                                                count, gammas, planes, table.size()));
-            if (Result<void> read = number_of(line, value, "intensity"); !read) return read;
             if (value < 0.0 && places_.first_negative == no_place) places_.first_negative = number_offset_;
             lowest_ = std::min(lowest_, value);
             highest_ = std::max(highest_, value);
-            table.push_back(value);
+            table[found] = value;
+            ++found;
         }
         read_rest();
         places_.peak = std::max(-lowest_, highest_);

@@ -1,7 +1,9 @@
 #include <gonio/profile/reader_report.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -17,6 +19,9 @@ public:
 
     FieldPlace at(std::size_t offset) {
         offset = std::min(offset, bytes_.size());
+        if constexpr (std::endian::native == std::endian::little)
+            while (next_ + 8 <= offset && next_ + 8 < bytes_.size())
+                take_eight();
         for (; next_ < offset; ++next_) {
             const char c = bytes_[next_];
             const bool cr_of_crlf = c == '\r' && next_ + 1 < bytes_.size() && bytes_[next_ + 1] == '\n';
@@ -29,6 +34,26 @@ public:
     }
 
 private:
+    // Eight bytes, each a high bit where a line ends; a ninth follows them.
+    void take_eight() {
+        constexpr std::uint64_t high = 0x8080808080808080U;
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes_.data() + next_, sizeof word);
+        const auto equals = [&](std::uint64_t eight_times) {
+            const std::uint64_t x = word ^ eight_times;
+            return ~(((x & ~high) + ~high) | x) & high;
+        };
+        const std::uint64_t lf = equals(0x0A0A0A0A0A0A0A0AU);
+        const std::uint64_t cr = equals(0x0D0D0D0D0D0D0D0DU);
+        const std::uint64_t lf_behind = lf >> 8U | (bytes_[next_ + 8] == '\n' ? std::uint64_t{1} << 63U : 0);
+        const std::uint64_t ends = lf | (cr & ~lf_behind);
+        if (ends != 0) {
+            line_ += static_cast<std::uint32_t>((ends >> 7U) * 0x0101010101010101U >> 56U);
+            line_start_ = next_ + 8 - static_cast<std::size_t>(std::countl_zero(ends)) / 8;
+        }
+        next_ += 8;
+    }
+
     std::string_view bytes_;
     std::size_t next_ = 0; // everything before it is counted
     std::size_t line_start_ = 0;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -127,26 +128,46 @@ Token NumberScanner::next_slow(double& value) {
     return token;
 }
 
+void take_numbers(NumberRun& run, const char* first, Separators separators) {
+    constexpr std::ptrdiff_t before = 8;
+    const TokenKernels* const kernels = token_kernels_in_use();
+    if (kernels == nullptr || run.at - first < before || run.wanted == 0) return;
+    run.convert = convert_token;
+    kernels->read(run, separators);
+    // The kernels leave the last bytes of a text: those are read from a copy that separators follow.
+    constexpr std::ptrdiff_t longest = 160;
+    const std::ptrdiff_t rest = run.end - run.at;
+    if (run.taken == run.wanted || rest < 2 || rest > longest) return;
+    std::array<char, before + longest + 64 + 64 + decimal_lookahead> copy;
+    copy.fill(separators == Separators::lines ? '\n' : ' ');
+    std::memcpy(copy.data() + before, run.at, static_cast<std::size_t>(rest));
+    const char* const at = run.at;
+    const char* const end = run.end;
+    const std::size_t taken = run.taken;
+    run.at = copy.data() + before;
+    run.end = copy.data() + copy.size();
+    kernels->read(run, separators);
+    const auto place = [&](const char* p) { return at + (p - (copy.data() + before)); };
+    run.at = std::min(place(run.at), end);
+    run.end = end;
+    if (run.taken != taken) run.last = place(run.last);
+}
+
 std::size_t NumberScanner::next_quickly(std::span<double> numbers, double& lowest, double& highest) {
-    if (at_ - first_ < 8 || numbers.empty()) return 0;
-    double low = lowest;
-    double high = highest;
-    double* out = numbers.data();
-    double* const out_end = out + numbers.size();
-    const char* behind = at_; // the last number taken
-    for_each_token(at_, end_, [&](const char* begin, const char* end) {
-        double value = 0.0;
-        if (!convert_token(begin, end, value)) return false;
-        low = value < low ? value : low;
-        high = value > high ? value : high;
-        *out = value;
-        behind = end;
-        return ++out != out_end;
-    });
-    at_ = behind;
-    lowest = low;
-    highest = high;
-    return static_cast<std::size_t>(out - numbers.data());
+    NumberRun run;
+    run.at = at_;
+    run.end = end_;
+    run.numbers = numbers.data();
+    run.wanted = numbers.size();
+    run.lowest = lowest;
+    run.highest = highest;
+    take_numbers(run, first_, Separators::any);
+    if (run.taken == 0) return 0;
+    at_ = run.at;
+    token_ = run.last;
+    lowest = run.lowest;
+    highest = run.highest;
+    return run.taken;
 }
 
 std::string_view NumberScanner::token() const {

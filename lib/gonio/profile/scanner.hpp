@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gonio/profile/fast_number.hpp>
+#include <gonio/profile/token_kernels.hpp>
 
 #include <cstddef>
 #include <span>
@@ -57,6 +58,9 @@ Token scan_number(std::string_view text, double& value, bool& plain);
 // "'abc'": a file's text in the form that messages show, printable ASCII unchanged, other bytes in hexadecimal.
 std::string quoted(std::string_view text);
 
+// Takes what TokenKernels take of the text that begins at `first`, up to its very end. run.convert is set here.
+void take_numbers(NumberRun& run, const char* first, Separators separators);
+
 // Numbers separated by blanks, line ends and commas.
 class NumberScanner {
 public:
@@ -75,7 +79,8 @@ public:
     }
 
     // Reads numbers into `numbers` as long as they can be read quickly; returns how many were read. next() reads the
-    // one at which it stopped. `lowest` and `highest` are widened to include the numbers read.
+    // one at which it stopped. `lowest` and `highest` are widened to include the numbers read; token_offset() and
+    // token_begins_line() are those of the last of them.
     std::size_t next_quickly(std::span<double> numbers, double& lowest, double& highest);
 
     // Skips separators; returns whether nothing else is left.

@@ -12,6 +12,49 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
+// ∫ of w sinγ for w linear from γ_low to γ_high, with what depends on the angles alone: each plane of a web has the
+// same. With m the middle, h the half width, w̄ the mean and δ half the rise:
+//   ∫ = 2[ w̄ sin m sin h + δ cos m (sin h/h − cos h) ],
+// with a series for the parentheses at small h, where they cancel; at h = ½ the next term is 1e-17 of them.
+class SineCell {
+public:
+    SineCell(double gamma_low, double gamma_high) {
+        const double m = 0.5 * (gamma_low + gamma_high);
+        const double h = 0.5 * (gamma_high - gamma_low);
+        const double h2 = h * h;
+        const double series =
+            1.0 -
+            h2 / 10.0 *
+                (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0 * (1.0 - h2 / 130.0 * (1.0 - h2 / 180.0)))));
+        sin_middle_ = std::sin(m);
+        cos_middle_ = std::cos(m);
+        sin_half_ = std::sin(h);
+        bracket_ = h < 0.5 ? h2 / 3.0 * series : sin_half_ / h - std::cos(h);
+    }
+
+    [[nodiscard]] double integral(double w_low, double w_high) const {
+        const double mean = 0.5 * (w_low + w_high);
+        const double half_rise = 0.5 * (w_high - w_low);
+        return 2.0 * (mean * sin_middle_ * sin_half_ + half_rise * cos_middle_ * bracket_);
+    }
+
+private:
+    double sin_middle_;
+    double cos_middle_;
+    double sin_half_;
+    double bracket_;
+};
+
+// make(γ_low, γ_high) of each step.
+template<class Make>
+auto sine_cells(std::span<const double> gammas_deg, Make&& make) {
+    std::vector<decltype(make(0.0, 0.0))> cells;
+    cells.reserve(gammas_deg.size());
+    for (std::size_t j = 1; j < gammas_deg.size(); ++j)
+        cells.push_back(make(gammas_deg[j - 1], gammas_deg[j]));
+    return cells;
+}
+
 // ∫ of w cosφ over the latitudes [low, high], computed with the sine of the colatitude.
 double integrate_linear_cos(double low, double high, double w_low, double w_high) {
     constexpr double quarter = 0.5 * std::numbers::pi;
@@ -78,44 +121,37 @@ Lumens over_planes(const Web& web, PlaneIntegral&& plane_integral) {
 } // namespace
 
 double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, double w_high) {
-    // With m the middle, h the half width, w̄ the mean and δ half the rise:
-    //   ∫ = 2[ w̄ sin m sin h + δ cos m (sin h/h − cos h) ],
-    // with a series for the parentheses at small h, where they cancel; at h = ½ the next term is 1e-17 of them.
-    const double m = 0.5 * (gamma_low + gamma_high);
-    const double h = 0.5 * (gamma_high - gamma_low);
-    const double h2 = h * h;
-    const double series =
-        1.0 -
-        h2 / 10.0 * (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0 * (1.0 - h2 / 130.0 * (1.0 - h2 / 180.0)))));
-    const double bracket = h < 0.5 ? h2 / 3.0 * series : std::sin(h) / h - std::cos(h);
-    const double mean = 0.5 * (w_low + w_high);
-    const double half_rise = 0.5 * (w_high - w_low);
-    return 2.0 * (mean * std::sin(m) * std::sin(h) + half_rise * std::cos(m) * bracket);
+    return SineCell(gamma_low, gamma_high).integral(w_low, w_high);
 }
 
 Lumens flux(const Web& web) {
     if (web.photometry() != Photometry::c) return over_latitudes(web, integrate_linear_cos);
-    const std::span<const double> gammas = web.gammas_deg();
+    const std::vector<SineCell> cells = sine_cells(web.gammas_deg(), [](double low_deg, double high_deg) {
+        return SineCell(low_deg * radians_per_degree, high_deg * radians_per_degree);
+    });
     return over_planes(web, [&](std::span<const double> column) {
         double sum = 0.0;
-        for (std::size_t j = 1; j < gammas.size(); ++j)
-            sum += integrate_linear_sin(gammas[j - 1] * radians_per_degree, gammas[j] * radians_per_degree,
-                                        column[j - 1], column[j]);
+        for (std::size_t j = 0; j < cells.size(); ++j)
+            sum += cells[j].integral(column[j], column[j + 1]);
         return sum;
     });
 }
 
 Lumens zonal_flux(const Web& web) {
     if (web.photometry() != Photometry::c) return over_latitudes(web, mean_cos);
-    const std::span<const double> gammas = web.gammas_deg();
+    // cosγ₁ − cosγ₂ = 2 sin m sin h
+    struct Zone {
+        double sin_middle;
+        double sin_half;
+    };
+    const std::vector<Zone> zones = sine_cells(web.gammas_deg(), [](double low_deg, double high_deg) {
+        return Zone{std::sin(0.5 * (low_deg + high_deg) * radians_per_degree),
+                    std::sin(0.5 * (high_deg - low_deg) * radians_per_degree)};
+    });
     return over_planes(web, [&](std::span<const double> column) {
         double sum = 0.0;
-        for (std::size_t j = 1; j < gammas.size(); ++j) {
-            // cosγ₁ − cosγ₂ = 2 sin m sin h
-            const double m = 0.5 * (gammas[j - 1] + gammas[j]) * radians_per_degree;
-            const double h = 0.5 * (gammas[j] - gammas[j - 1]) * radians_per_degree;
-            sum += 0.5 * (column[j - 1] + column[j]) * 2.0 * std::sin(m) * std::sin(h);
-        }
+        for (std::size_t j = 0; j < zones.size(); ++j)
+            sum += 0.5 * (column[j] + column[j + 1]) * 2.0 * zones[j].sin_middle * zones[j].sin_half;
         return sum;
     });
 }

@@ -3,6 +3,7 @@
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/plane_range.hpp>
+#include <gonio/web/plane_rows.hpp>
 #include <gonio/web/refine_grid.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/resample_light.hpp>
@@ -67,9 +68,25 @@ std::vector<double> fifths(std::span<const double> angles) {
 void measure(const web_detail::Light& before, ResampledWeb& result) {
     WorstError worst(before, result);
     const std::vector<double> gammas = fifths(result.web.vertical_deg());
-    for (const double c : fifths(result.web.horizontal_deg()))
-        for (const double gamma : gammas)
-            worst.look_at(c, gamma);
+    const std::vector<double> planes = fifths(result.web.horizontal_deg());
+    if (before.type_c != nullptr) {
+        const web_detail::PlaneRows of_before(*before.type_c, gammas);
+        const web_detail::PlaneRows of_result(result.web, gammas);
+        std::vector<double> here;
+        std::vector<double> there;
+        for (const double c : planes) {
+            here.clear();
+            there.clear();
+            of_before.append(c, here);
+            of_result.append(c, there);
+            for (std::size_t j = 0; j < gammas.size(); ++j)
+                if (std::abs(there[j] - here[j]) > result.max_error.value) worst.look_at(c, gammas[j]);
+        }
+    } else {
+        for (const double c : planes)
+            for (const double gamma : gammas)
+                worst.look_at(c, gamma);
+    }
     for (const GoniometerAngles& at : before.points)
         worst.look_at(at.horizontal_deg, at.vertical_deg);
 }
@@ -85,7 +102,8 @@ std::vector<double> gammas_of_native(const Web& web) {
 
 web_detail::Light light_of(const Web& web) {
     return {[&web](double c, double gamma) { return web.candela(c, gamma); }, web_detail::table_directions(web),
-            web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web)};
+            web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web),
+            web.photometry() == Photometry::c ? &web : nullptr};
 }
 
 // The range of whole degrees of γ that contains light; high is below low if there is none.
@@ -150,9 +168,15 @@ Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<d
                               std::vector<double> gammas_deg, Lumens flux_before) {
     std::vector<double> candela;
     candela.reserve(planes_deg.size() * gammas_deg.size());
-    for (const double c : planes_deg)
-        for (const double gamma : gammas_deg)
-            candela.push_back(light.candela(c, gamma));
+    if (light.type_c != nullptr) {
+        const PlaneRows rows(*light.type_c, gammas_deg);
+        for (const double c : planes_deg)
+            rows.append(c, candela);
+    } else {
+        for (const double c : planes_deg)
+            for (const double gamma : gammas_deg)
+                candela.push_back(light.candela(c, gamma));
+    }
     Result<Web> made = Web::create(stored, std::move(planes_deg), std::move(gammas_deg), std::move(candela));
     if (!made) return pass_on(made);
     ResampledWeb result{std::move(*made), Candelas(0.0), 0.0, 0.0, Lumens(0.0), Candelas(0.0)};

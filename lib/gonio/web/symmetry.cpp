@@ -1,6 +1,7 @@
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/plane_range.hpp>
+#include <gonio/web/plane_rows.hpp>
 #include <gonio/web/symmetry.hpp>
 
 #include <algorithm>
@@ -48,9 +49,17 @@ Symmetry combined(bool across_0_180, bool across_90_270) {
 // Whether I(C) = I(mirror(C)) for every C: both sides are piecewise linear and bend only at the listed angles.
 template<class Mirror>
 bool mirrors(const Web& web, const std::vector<double>& bends, double limit_cd, Mirror&& mirror) {
-    for (const double c : bends)
-        for (const double gamma : web.gammas_deg())
-            if (std::abs(web.candela(c, gamma) - web.candela(mirror(c), gamma)) > limit_cd) return false;
+    const web_detail::PlaneRows rows(web, web.gammas_deg());
+    std::vector<double> here;
+    std::vector<double> there;
+    for (const double c : bends) {
+        here.clear();
+        there.clear();
+        rows.append(c, here);
+        rows.append(mirror(c), there);
+        for (std::size_t j = 0; j < here.size(); ++j)
+            if (std::abs(here[j] - there[j]) > limit_cd) return false;
+    }
     return true;
 }
 

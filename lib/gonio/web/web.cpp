@@ -39,6 +39,10 @@ Result<void> check_angles(const std::vector<double>& horizontal, const char* hor
         return fail(Failure::malformed,
                     fmt::format("{} {} and {} {} need {} candela values, not {}", horizontal.size(), horizontal_name,
                                 vertical.size(), vertical_name, horizontal.size() * vertical.size(), candela.size()));
+    bool in_range = true; // without a branch for each: nearly every table is
+    for (const double cd : candela)
+        in_range = in_range & in_amount_range(cd);
+    if (in_range) return {};
     const auto wrong = std::find_if_not(candela.begin(), candela.end(), in_amount_range);
     if (wrong != candela.end())
         return fail(Failure::malformed,

@@ -2,15 +2,20 @@
 #include <gonio/base/charconv.hpp>
 #include <gonio/profile/fast_number.hpp>
 #include <gonio/profile/scanner.hpp>
+#include <gonio/profile/token_kernels.hpp>
 #include <gonio/profile/token_scan.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -136,50 +141,147 @@ TEST(FastNumber, AStrangeByteInATokenIsNeverADigit) {
             }
 }
 
-TEST(TokenScan, ClassifiesEveryByteInAnyPlace) {
+// What the kernels of `set` take from `text` behind its first eight bytes.
+NumberRun taken_by(gonio::simd::InstructionSet set, const std::string& text, Separators separators,
+                   std::vector<double>& numbers) {
+    NumberRun run;
+    run.at = text.data() + 8;
+    run.end = text.data() + text.size();
+    run.numbers = numbers.data();
+    run.wanted = numbers.size();
+    run.convert = convert_token;
+    token_kernels(set).read(run, separators);
+    return run;
+}
+
+TEST(TokenKernels, StopAtAnyByteThatIsNeitherOfANumberNorASeparator) {
     const auto is_numeric = [](char c) { return c >= '-' && c <= '9'; };
-    for (int c = 0; c < 256; ++c)
-        for (std::size_t at = 0; at < 64; ++at)
-            for (const char fill : {'5', ' ', '\xFF', '\0'}) {
-                std::string text(64, fill);
-                text[at] = static_cast<char>(c);
-                std::uint64_t numeric = 0;
-                bool other = false;
-                for (std::size_t i = 0; i < 64; ++i) {
-                    numeric |= std::uint64_t{is_numeric(text[i])} << i;
-                    other = other || (!is_numeric(text[i]) && !ends_number(text[i]));
-                }
-                for (const ByteClasses& classes : {classify_portable(text.data()), classify_64(text.data())}) {
-                    ASSERT_EQ(classes.numeric, numeric) << c << " " << at;
-                    ASSERT_EQ(classes.other, other) << c << " " << at;
+    for (const gonio::simd::InstructionSet set : gonio::simd::available_sets())
+        for (int c = 0; c < 256; ++c)
+            for (std::size_t at = 0; at < 64; ++at) {
+                std::string text(8, ' ');
+                while (text.size() < 400)
+                    text += "12 ";
+                text[8 + at] = static_cast<char>(c);
+                std::vector<double> numbers(64);
+                const NumberRun run = taken_by(set, text, Separators::any, numbers);
+                const bool known = is_numeric(text[8 + at]) || ends_number(text[8 + at]);
+                // A byte of numbers may make one that is left, too.
+                if (!known) {
+                    ASSERT_EQ(run.taken, at / 3) << c << " " << at;
+                } else if (c >= '0' || ends_number(text[8 + at])) {
+                    ASSERT_EQ(run.taken, numbers.size()) << c << " " << at;
                 }
             }
 }
 
-TEST(TokenScan, FindsTokensOfAnyLengthBetweenAnySeparators) {
+TEST(TokenKernels, TakeNumbersOfAnyLengthBetweenAnySeparators) {
     std::mt19937 random(3);
-    for (int run = 0; run < 2000; ++run) {
-        std::string text;
+    for (int i = 0; i < 2000; ++i) {
+        std::string text(8, '\n');
         std::vector<std::pair<std::size_t, std::size_t>> expected;
         while (text.size() < 3000) {
             const std::size_t begin = text.size();
-            text.append(1 + random() % (run % 7 == 0 ? 200 : 9), '1');
+            text.append(1 + random() % (i % 7 == 0 ? 19 : 9), '1');
             expected.emplace_back(begin, text.size());
-            for (std::size_t k = 0; k <= random() % (run % 5 == 0 ? 90 : 3); ++k)
+            for (std::size_t k = 0; k <= random() % (i % 5 == 0 ? 90 : 3); ++k)
                 text += " ,\t\r\n"[random() % 5];
         }
-        // A byte of another kind ends the scan, together with its block of 64.
-        const std::size_t stop = run % 3 == 0 ? random() % text.size() : text.size();
+        // A byte of another kind ends the run, and the number before it is left.
+        const std::size_t stop = i % 3 == 0 ? 8 + random() % (text.size() - 8) : text.size();
         if (stop < text.size()) text[stop] = 'E';
-        std::size_t i = 0;
-        for_each_token(text.data(), text.data() + text.size(), [&](const char* begin, const char* end) {
-            EXPECT_EQ(static_cast<std::size_t>(begin - text.data()), expected[i].first);
-            EXPECT_EQ(static_cast<std::size_t>(end - text.data()), expected[i].second);
-            return ++i != expected.size();
-        });
-        const std::size_t whole = std::min(
-            (text.size() - static_cast<std::size_t>(decimal_lookahead)) & ~std::size_t{63}, stop & ~std::size_t{63});
-        EXPECT_TRUE(i == expected.size() || expected[i].second >= whole) << i;
+        std::size_t whole = 0;
+        while (whole < expected.size() && expected[whole].second < std::min(stop, text.size() - 8))
+            ++whole;
+        for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
+            std::vector<double> numbers(expected.size());
+            const NumberRun run = taken_by(set, text, Separators::any, numbers);
+            ASSERT_LE(run.taken, whole) << i;
+            for (std::size_t k = 0; k < run.taken; ++k) {
+                const std::string one = text.substr(expected[k].first, expected[k].second - expected[k].first);
+                ASSERT_EQ(numbers[k], std::strtod(one.c_str(), nullptr)) << one;
+            }
+            if (run.taken > 0) {
+                EXPECT_EQ(static_cast<std::size_t>(run.last - text.data()), expected[run.taken - 1].first);
+                EXPECT_EQ(static_cast<std::size_t>(run.at - text.data()), expected[run.taken - 1].second);
+            }
+            // Nothing but the end of the text, the strange byte and a long run of separators stops it.
+            const std::size_t next = run.taken < expected.size() ? expected[run.taken].second : text.size();
+            if (i % 5 != 0) {
+                EXPECT_GE(next + 64 + static_cast<std::size_t>(decimal_lookahead), std::min(stop, text.size())) << i;
+            }
+        }
+    }
+}
+
+// Numbers with every count of digits, the point at every place, with and without a sign, and what is not a number.
+TEST(TokenKernels, GiveTheNearestDoubleForEveryShape) {
+    std::mt19937_64 random(11);
+    std::vector<std::string> shapes;
+    for (std::size_t length = 1; length <= 21; ++length)
+        for (std::size_t point = 0; point <= length; ++point)
+            for (const bool negative : {false, true})
+                for (int i = 0; i < 4; ++i) {
+                    std::string text;
+                    for (std::size_t k = 0; k < length; ++k)
+                        text += i == 0 ? '9' : static_cast<char>('0' + random() % 10);
+                    if (point < length) text.insert(point, ".");
+                    if (i == 3 && point == 0) text += '.';
+                    shapes.push_back((negative ? "-" : "") + text);
+                }
+    for (const char* const odd : {"-", ".", "-.", "1-2", "1/2", "--1", "1.2.3", "123456.78.9", "12345678-9",
+                                  "1234567/9", "-12345678-", ".123456789.", "9007199254740993", "4503599627370497"})
+        shapes.emplace_back(odd);
+    for (const std::string& shape : shapes) {
+        std::string text = "IESNA91\n";
+        for (int i = 0; i < 5; ++i)
+            text += "17.5 ";
+        text += shape + std::string(200, ' ');
+        double expected = 0.0;
+        bool plain = true;
+        const bool number = scan_number(shape, expected, plain) == Token::number;
+        for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
+            std::vector<double> numbers(6);
+            const NumberRun run = taken_by(set, text, Separators::any, numbers);
+            ASSERT_TRUE(run.taken == 6 ? number : run.taken == 5) << shape;
+            // Up to 19 digits are not left to others.
+            if (number && shape.size() <= 19) {
+                ASSERT_EQ(run.taken, 6U) << shape;
+            }
+            if (run.taken < 6) continue;
+            EXPECT_EQ(__builtin_bit_cast(std::uint64_t, numbers[5]), __builtin_bit_cast(std::uint64_t, expected))
+                << shape << " " << gonio::simd::to_text(set);
+            EXPECT_EQ(run.lowest, std::min(0.0, expected)) << shape;
+            EXPECT_EQ(run.highest, std::max(17.5, expected)) << shape;
+        }
+    }
+}
+
+TEST(TokenKernels, TakeLinesOfOneNumberEachAndNoOthers) {
+    std::mt19937 random(7);
+    const char* const ends[] = {"\r\n", "\n", "\r"};
+    const char* const odd[] = {"\n\n", " \n", "\n ", ",5\n", "\r\r", "\n\r", " 7\n", "E\n"};
+    for (int i = 0; i < 3000; ++i) {
+        std::string text = "company\n";
+        std::vector<std::size_t> lines;
+        const std::size_t strange = 1 + random() % 200;
+        while (text.size() < 3000) {
+            lines.push_back(text.size());
+            text += std::to_string(random() % 10000) + (random() % 2 != 0 ? ".25" : "");
+            text += lines.size() == strange ? odd[random() % std::size(odd)]
+                                            : ends[i % 4 == 3 ? random() % 3 : static_cast<std::size_t>(i % 4)];
+        }
+        for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
+            std::vector<double> numbers(lines.size());
+            const NumberRun run = taken_by(set, text, Separators::lines, numbers);
+            ASSERT_LE(run.taken, strange) << i;
+            for (std::size_t k = 0; k < run.taken; ++k)
+                ASSERT_EQ(numbers[k], std::strtod(text.c_str() + lines[k], nullptr)) << i;
+            if (run.taken < strange && run.taken > 0) {
+                EXPECT_EQ(static_cast<std::size_t>(run.at - text.data()), lines[run.taken]) << i;
+            }
+            EXPECT_GE(run.taken + 1, strange) << i << " " << strange;
+        }
     }
 }
 

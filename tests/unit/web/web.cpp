@@ -1,4 +1,5 @@
 #include <gonio/base/frame.hpp>
+#include <gonio/web/plane_rows.hpp>
 
 #include "webs.hpp"
 
@@ -42,6 +43,32 @@ TEST(Web, IsDarkOutsideItsAngles) {
     EXPECT_EQ(web.candela(nan, 45), 0.0);
     EXPECT_EQ(web.candela(0, nan), 0.0);
     EXPECT_EQ(sector.candela(nan, 45), 0.0);
+}
+
+TEST(Web, PlanesAtOnceAreTheSameToTheLastBit) {
+    const std::vector<double> uneven{0, 1, 2.5, 30, 77.7, 90};
+    const std::vector<Web> webs{random_web(Symmetry::none, steps(0, 360, 25), steps(0, 180, 37), 1),
+                                random_web(Symmetry::none, {-10, 20, 111, 200}, uneven, 2),
+                                random_web(Symmetry::axial, {0}, uneven, 3),
+                                random_web(Symmetry::quadrant, steps(0, 90, 7), steps(0, 90, 10), 4),
+                                random_web(Symmetry::bilateral_90_270, steps(90, 270, 9), {45}, 5),
+                                random_web(Symmetry::bilateral_0_180, {0, 1e-3, 90, 180}, steps(10, 170, 13), 6)};
+    for (const Web& web : webs) {
+        std::vector<double> gammas = steps(-5, 185, 133);
+        gammas.insert(gammas.end(), web.gammas_deg().begin(), web.gammas_deg().end());
+        gammas.push_back(std::numeric_limits<double>::quiet_NaN());
+        const web_detail::PlaneRows rows(web, gammas);
+        std::vector<double> planes = steps(-400, 800, 301);
+        planes.insert(planes.end(), web.planes_deg().begin(), web.planes_deg().end());
+        planes.push_back(std::numeric_limits<double>::infinity());
+        for (const double c : planes) {
+            std::vector<double> found;
+            rows.append(c, found);
+            ASSERT_EQ(found.size(), gammas.size());
+            for (std::size_t j = 0; j < gammas.size(); ++j)
+                ASSERT_EQ(found[j], web.candela(c, gammas[j])) << c << " " << gammas[j];
+        }
+    }
 }
 
 // Each stored symmetry is the same light as its planes written out over the circle.

@@ -1,0 +1,33 @@
+// A type C web's intensities on many planes at the same γ: each γ is found in the table once. Internal to the web room.
+#pragma once
+
+#include <gonio/web/web.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace gonio::web_detail {
+
+class PlaneRows {
+public:
+    // The web must be of type C and outlive this.
+    PlaneRows(const Web& web, std::span<const double> gammas_deg);
+
+    // web.candela(C, γ) at each γ, appended to `to`: the same to the last bit.
+    void append(double c_deg, std::vector<double>& to) const;
+
+private:
+    // The cell [cell, cell + 1] of an angle and the weight of its upper end.
+    struct Place {
+        std::size_t cell = 0;
+        double weight = 0.0;
+        bool inside = false;
+    };
+    static Place place_of(std::span<const double> angles_deg, double angle_deg);
+
+    const Web& web_;
+    std::vector<Place> rows_;
+};
+
+} // namespace gonio::web_detail
