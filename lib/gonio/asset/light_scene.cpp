@@ -405,7 +405,7 @@ private:
             kind = LightKind::panel;
         }
         if (shape.mask) {
-            if (!target_.holds.near_profiles || !holds(kind) || kind == LightKind::tube)
+            if (!target_.holds.near_profiles || !holds(kind) || kind == LightKind::tube || kind == LightKind::cylinder)
                 return place_far(light, std::move(made), "a mask on an area light");
             Result<std::size_t> profile =
                 index_of_profile(light, made, [&](const std::string& name) { return mask_of_luminances(light, name); });
@@ -500,6 +500,11 @@ private:
                              "a point of the tube's size");
         }
         return place_area(light, tube, LightKind::tube, false, std::move(made));
+    }
+    Result<void> place(const Light& light, const CylinderShape& cylinder, SceneLight made) {
+        made.radius = cylinder.radius.value * scale_.length;
+        made.width = cylinder.length.value * scale_.length;
+        return place_area(light, cylinder, LightKind::cylinder, false, std::move(made));
     }
     Result<void> place(const Light& light, const SunShape& sun, SceneLight made) {
         if (!holds(LightKind::sun)) {

@@ -30,8 +30,8 @@ constexpr std::array point_disk_rect_sun{LightKind::point, LightKind::disk, Ligh
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
 constexpr std::array point_rect_tube_sun{LightKind::point, LightKind::rect, LightKind::tube, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
-constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk, LightKind::ellipse,
-                               LightKind::rect,  LightKind::tube,   LightKind::sun};
+constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk,     LightKind::ellipse,
+                               LightKind::rect,  LightKind::tube,   LightKind::cylinder, LightKind::sun};
 
 constexpr TargetSky latlong{SkyPictureKind::latlong, false, false, {}};
 constexpr TargetSky latlong_or_uniform{SkyPictureKind::latlong, true, false, {}};

@@ -88,6 +88,11 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
         prim.inputs = fmt::format("        float inputs:radius = {}\n        float inputs:length = {}\n", light.radius,
                                   light.width);
         return prim;
+    case LightKind::cylinder:
+        prim.type = "CylinderLight";
+        prim.inputs = fmt::format("        float inputs:radius = {}\n        float inputs:length = {}\n", light.radius,
+                                  light.width);
+        return prim;
     case LightKind::sun:
         prim.type = "DistantLight";
         prim.inputs = fmt::format("        float inputs:angle = {}\n", light.diameter * 180.0 / pi);

@@ -431,7 +431,7 @@ private:
             const double r = *radius * scale.y;
             const double l = *length * scale.x;
             stage_area = 2.0 * pi * r * l;
-            light.shape = TubeShape{Meters(r * unit), Meters(l * unit)};
+            light.shape = CylinderShape{Meters(r * unit), Meters(l * unit)};
         } else {
             only_list(light, light.kind.starts_with("DomeLight")
                                  ? std::string("light from all around is the sky of a rig")
@@ -467,7 +467,6 @@ private:
         if (!as_point) return pass_on(as_point);
         if (is_sphere && (*as_point != 0.0 || shaping->is_there))
             return punctual(light, *shaping, nits * projected, *as_point != 0.0);
-        if (light.kind == "CylinderLight") close_cylinder(light);
         if (shaping->is_there) shape_area(light, *shaping);
         return {};
     }

@@ -53,6 +53,8 @@ double with_light(const shading::LightConstants& light, const Work& work) {
                                                     height, 0.0, light.two_sided});
     case Kind::tube:
         return work(shading::TubeLight<double>{zero, zero, vec(light.axis), radius, light.length, 0.0});
+    case Kind::cylinder:
+        return work(shading::CylinderLight<double>{zero, zero, vec(light.axis), radius, light.length, 0.0});
     default:
         return 0.0;
     }

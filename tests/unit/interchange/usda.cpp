@@ -73,8 +73,10 @@ TEST(InterchangeUsd, NormalizeDividesByTheWorldAreaInStageUnits) {
     EXPECT_NEAR(number_of(centimeters), 25.0, 1e-12);
     EXPECT_NEAR(std::get<RectShape>(*centimeters.shape).width.value, 0.02, 1e-15);
     EXPECT_TRUE(has_remark(centimeters, "SCN0201"));
-    // A cylinder of radius 1 and length 2 has 4π; the tube has caps, and the same flux.
-    EXPECT_NEAR(number_of(light_of("CylinderLight", scaled)), 100.0 / (4.0 * pi) / 2.0, 1e-12);
+    // A cylinder of radius 1 and length 2 has 4π.
+    const FoundLight cylinder = light_of("CylinderLight", scaled);
+    EXPECT_NEAR(number_of(cylinder), 100.0 / (4.0 * pi), 1e-12);
+    EXPECT_NEAR(std::get<CylinderShape>(*cylinder.shape).length.value, 2.0, 1e-12);
 }
 
 TEST(InterchangeUsd, ShapingMakesSpotsAndProfiles) {

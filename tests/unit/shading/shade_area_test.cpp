@@ -96,7 +96,7 @@ SurfacePoint<double> point_of(const Surfaces& surfaces, std::size_t i) {
 }
 
 std::string name_of(Kind kind) {
-    constexpr const char* names[] = {"punctual", "sphere", "disk", "ellipse", "rectangle", "tube", "sun"};
+    constexpr const char* names[] = {"punctual", "sphere", "disk", "ellipse", "rectangle", "tube", "cylinder", "sun"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -108,7 +108,8 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(
     Sets, ShadeKernels,
-    testing::Combine(testing::Values(Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube, Kind::sun),
+    testing::Combine(testing::Values(Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube,
+                                     Kind::cylinder, Kind::sun),
                      testing::ValuesIn(gonio::simd::available_sets().begin(), gonio::simd::available_sets().end())),
     [](const auto& each) {
         return name_of(std::get<0>(each.param)) + "_" + gonio::simd::to_text(std::get<1>(each.param));
