@@ -142,6 +142,7 @@ struct SceneContent {
     std::vector<SceneLight> lights;
     std::optional<SceneSky> sky;     // only if the target stores skies
     bool single = false;             // a single luminaire, with the profile's own name
+    bool photometric = false;        // LightSceneOptions::photometric
     std::optional<SceneStage> stage; // in metres; if present, the file is a whole scene
 };
 

@@ -41,6 +41,7 @@ constexpr std::array lights{
 struct Way {
     std::string_view target;
     std::string_view ending;
+    bool photometric = false;
 };
 
 std::vector<Light> written_lights() {
@@ -86,6 +87,7 @@ TEST_P(InterchangeRoundTrip, KeepsLightsOrSaysWhatIsLost) {
     const std::vector<Light> before = written_lights();
     LightSceneOptions options;
     options.name = "scene";
+    options.photometric = GetParam().photometric;
     const Result<LightScene> written = light_scene(*target, before, options);
     ASSERT_TRUE(written.has_value());
     SceneReadOptions reading;
@@ -127,8 +129,8 @@ TEST_P(InterchangeRoundTrip, KeepsLightsOrSaysWhatIsLost) {
         const bool has_direction =
             !std::holds_alternative<PointShape>(light.shape) && !std::holds_alternative<SphereShape>(light.shape);
         if (has_direction) {
-            const bool is_round = std::holds_alternative<TubeShape>(light.shape) ||
-                                  std::holds_alternative<CylinderShape>(light.shape);
+            const bool is_round =
+                std::holds_alternative<TubeShape>(light.shape) || std::holds_alternative<CylinderShape>(light.shape);
             if (!is_round) { // which may turn about its axis
                 EXPECT_LT(glm::distance(after->frame.z, light.frame.z), 1e-6);
             }
@@ -163,9 +165,11 @@ TEST_P(InterchangeRoundTrip, KeepsLightsOrSaysWhatIsLost) {
 
 INSTANTIATE_TEST_SUITE_P(Targets, InterchangeRoundTrip,
                          testing::Values(Way{"gltf", ".gltf"}, Way{"gltf", ".glb"}, Way{"pbrt", ".pbrt"},
-                                         Way{"mitsuba", ".xml"}, Way{"usd", ".usda"}, Way{"luxcore", ".scn"}),
+                                         Way{"mitsuba", ".xml"}, Way{"usd", ".usda"}, Way{"usd", ".usda", true},
+                                         Way{"luxcore", ".scn"}),
                          [](const testing::TestParamInfo<Way>& way) {
-                             return std::string(way.param.target) + "_" + std::string(way.param.ending.substr(1));
+                             return std::string(way.param.target) + "_" + std::string(way.param.ending.substr(1)) +
+                                    (way.param.photometric ? "_photometric" : "");
                          });
 
 } // namespace
