@@ -328,7 +328,7 @@ private:
         }
         const std::optional<Spectrum> white = find_illuminant("D65");
         const Result<SpectrumColor> color = color_of(*white, Band{380.0, 780.0});
-        if (!color) return pass_on(color);
+        if (!color) return Unexpected(color.error());
         remark(
             light, "SCN0201",
             fmt::format("watts of light whose spectrum is not known: {} lm/W are assumed, as of D65 within 380–780 nm",

@@ -1,6 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/specular_truth.hpp>
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/specular_in_double.hpp>

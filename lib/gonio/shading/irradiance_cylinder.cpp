@@ -11,6 +11,11 @@ namespace gonio::shading {
 
 namespace {
 
+constexpr int most_bends = 8;
+
+// Of the pieces: both ends of the whole, and two crossings each for the cylinder's ends, the foot and the bends.
+using Ends = std::array<double, 2 + 2 * (2 + 1 + 2 * most_bends)>;
+
 using Pose = detail::CylinderPose<double>;
 
 // The integrand over u of irradiance_cylinder.hpp, and where its pieces end.
@@ -40,7 +45,7 @@ public:
     }
 
     // Where the circle of an end crosses the horizon: n_f (D − r cos φ) + n_g r sin φ + n_a z = 0.
-    void add_crossings(double z, std::array<double, 8>& ends, std::size_t& count) const {
+    void add_crossings(double z, Ends& ends, std::size_t& count) const {
         const double reach = pose_.r * std::hypot(pose_.n_f, pose_.n_g);
         const double level = pose_.n_f * pose_.d + pose_.n_a * z;
         if (!(std::abs(level) < reach)) return;
@@ -120,7 +125,7 @@ double over_pieces(const double* ends, std::size_t count, const F& f) {
             ++pieces;
         }
     }
-    constexpr double agreement = 1e-8;
+    constexpr double agreement = 1e-7;
     constexpr int most_halvings = 24;
     const double tolerance = agreement * sum;
     double total = 0.0;
@@ -151,15 +156,21 @@ double irradiance_cylinder(vec3<double> center, vec3<double> axis, double radius
         const double half = over_pieces(&ends[0], 2, [&](double u) { return sweep.at<false>(u); });
         return detail::clamp_irradiance(2.0 * factor * half);
     }
-    std::array<double, 8> ends{};
+    Ends ends{};
     std::size_t count = 0;
     ends[count++] = -sweep.most();
     sweep.add_crossings(p.z0, ends, count);
     sweep.add_crossings(p.z1, ends, count);
-    // Where the horizon sweeps over the receiver's foot on the axis: if it runs almost along the axis, a bend.
+    // A horizon that runs almost along the axis sweeps over the receiver's foot on it, where the integrand bends within
+    // the distance from the surface: pieces that grow from there.
     if (p.z0 < 0.0 && p.z1 > 0.0) sweep.add_crossings(0.0, ends, count);
+    double out = 2.0 * p.gap;
+    for (int i = 0; i < most_bends; ++i, out *= 6.0) {
+        if (out < p.z1) sweep.add_crossings(out, ends, count);
+        if (-out > p.z0) sweep.add_crossings(-out, ends, count);
+    }
     ends[count++] = sweep.most();
-    for (std::size_t i = 1; i < count; ++i) // at most eight
+    for (std::size_t i = 1; i < count; ++i)
         for (std::size_t k = i; k > 0 && ends[k] < ends[k - 1]; --k)
             std::swap(ends[k], ends[k - 1]);
     const double all = over_pieces(ends.data(), count, [&](double u) { return sweep.at<true>(u); });
