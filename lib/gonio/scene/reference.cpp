@@ -196,7 +196,7 @@ Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& norm
 template<class F>
 ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges& edges, const F& f, double closed_lx,
                          const ReferenceGoal& goal) {
-    double relative_error = std::max(goal.relative_error, 1e-13);
+    const double relative_error = std::max(goal.relative_error, 1e-13);
     const double reach = p.region.reach();
     if (reach < least_reach) {
         // f varies by the square of the light's extent relative to the lobe's.
@@ -206,22 +206,24 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges&
         return {bounded(value), bounded(error), 1, error <= relative_error * value};
     }
     const auto integrand = [&](Vec l) { return f(l) * std::max(dot(p.normal, l), 0.0); };
-    detail::PolarCubature<decltype(integrand)> cubature(p.region, peak, integrand, edges);
-    CubatureResult result = cubature.integrate({relative_error, goal.most_evaluations});
+    const auto over = [&](const LightRegion& region, double within) {
+        detail::PolarCubature<decltype(integrand)> cubature(region, peak, integrand, edges);
+        return cubature.integrate({within, goal.most_evaluations});
+    };
+    CubatureResult result = over(p.region, relative_error);
     if (p.dark_part && !p.dark_part->dark()) {
         // The difference of two integrals: both need as many digits more as it loses.
-        detail::PolarCubature<decltype(integrand)> of_dark(*p.dark_part, peak, integrand, edges);
-        CubatureResult dark = of_dark.integrate({relative_error, goal.most_evaluations});
+        CubatureResult dark = over(*p.dark_part, relative_error);
         const double share = result.value > 0.0 ? (result.value - dark.value) / result.value : 1.0;
         if (share < 0.5) {
-            relative_error = std::max(relative_error * std::max(share, 1e-3), 1e-13);
-            result = cubature.integrate({relative_error, goal.most_evaluations});
-            dark = of_dark.integrate({relative_error, goal.most_evaluations});
+            const double finer = std::max(relative_error * std::max(0.5 * share, 1e-3), 1e-13);
+            result = over(p.region, finer);
+            dark = over(*p.dark_part, finer);
         }
         result.value = std::max(result.value - dark.value, 0.0);
         result.error_estimate += dark.error_estimate;
         result.evaluations += dark.evaluations;
-        result.converged = result.error_estimate <= std::max(goal.relative_error, 1e-13) * result.value;
+        result.converged = result.error_estimate <= relative_error * result.value;
     }
     return {bounded(result.value * p.scale), bounded(result.error_estimate * p.scale), result.evaluations,
             result.converged};

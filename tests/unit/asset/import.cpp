@@ -631,7 +631,7 @@ TEST(LightScene, CountsInTheSceneUnit) {
 
 TEST(LightScene, OfNothingIsRefused) {
     const std::vector<Light> lights = studio();
-    const std::vector<Light> sun{lights[5]};
+    const std::vector<Light> sun{lights[6]};
     EXPECT_EQ(light_scene(**find_target("raw"), sun, {"studio", "", Meters(1.0)}).error().failure,
               Failure::unsupported);
 }
