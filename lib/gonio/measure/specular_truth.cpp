@@ -182,7 +182,8 @@ double over_light(const shading::LightConstants& light, Vec center, Vec normal, 
     }
     const double half = 0.5 * static_cast<double>(light.length);
     const double z = dot(axis, center);
-    if (shading::length(center - axis * z) > r) return integrate(capsule(center, axis, r, half, light.kind != Kind::cylinder));
+    if (shading::length(center - axis * z) > r)
+        return integrate(capsule(center, axis, r, half, light.kind != Kind::cylinder));
     if (light.kind == Kind::cylinder) return 0.0;
     if (std::fabs(z) <= half) return integrate(cap(normal, 1.0));
     return sphere(center - axis * std::copysign(half, z));

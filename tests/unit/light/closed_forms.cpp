@@ -2,9 +2,9 @@
 #include <gonio/base/exposure_value.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/closed_forms.hpp>
-#include <gonio/light/shape_traits.hpp>
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/photometry.hpp>
+#include <gonio/light/shape_traits.hpp>
 
 #include "../folders.hpp"
 

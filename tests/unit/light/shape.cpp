@@ -50,10 +50,9 @@ TEST(Shape, EveryKindIsListedAndParsed) {
     std::set<std::string_view> listed;
     for (const ShapeKind& kind : shape_kinds())
         listed.insert(kind.kind);
-    for (const char* text :
-         {"point", "spot:outer=40deg", "frustum:h=60deg,v=40deg", "ies:lamp.ies", "sphere:r=3cm", "disk:r=10cm",
-          "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1.3cm,l=1.2m", "cylinder:r=10cm,l=30cm",
-          "sun:angle=0.53deg"})
+    for (const char* text : {"point", "spot:outer=40deg", "frustum:h=60deg,v=40deg", "ies:lamp.ies", "sphere:r=3cm",
+                             "disk:r=10cm", "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1.3cm,l=1.2m",
+                             "cylinder:r=10cm,l=30cm", "sun:angle=0.53deg"})
         EXPECT_EQ(listed.erase(kind_of(test::shape(text))), 1U) << text;
     EXPECT_TRUE(listed.empty());
 }

@@ -33,8 +33,8 @@ constexpr std::array materials{"lambert:albedo=rgb(0.8,0.5,0.2)",
                                "blinn:albedo=rgb(0.8,0.5,0.2),smoothness=0.3,wet=0.5",
                                "ggx:f0=rgb(0.9,0.5,0.1),alpha=0.3",
                                "kulla-conty:f0=rgb(0.9,0.5,0.1),alpha=0.5"};
-constexpr std::array kinds{LightKind::punctual, LightKind::sphere,    LightKind::disk,
-                           LightKind::ellipse,  LightKind::rectangle, LightKind::tube, LightKind::cylinder};
+constexpr std::array kinds{LightKind::punctual,  LightKind::sphere, LightKind::disk,    LightKind::ellipse,
+                           LightKind::rectangle, LightKind::tube,   LightKind::cylinder};
 
 // Surface points and the parts of them that the kernels read.
 struct Points {

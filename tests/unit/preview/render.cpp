@@ -266,9 +266,8 @@ TEST(ThreadsPreview, IlluminanceIsWhatAMatteSurfaceReceives) {
     options.width = 24;
     options.height = 16;
     options.illuminance = true;
-    for (const char* shape :
-         {"point", "sphere:r=20cm", "disk:r=20cm", "ellipse:w=60cm,h=20cm", "rect:w=60cm,h=30cm", "tube:r=2cm,l=1m",
-          "cylinder:r=2cm,l=1m"}) {
+    for (const char* shape : {"point", "sphere:r=20cm", "disk:r=20cm", "ellipse:w=60cm,h=20cm", "rect:w=60cm,h=30cm",
+                              "tube:r=2cm,l=1m", "cylinder:r=2cm,l=1m"}) {
         const Light light = light_of(shape, "800lm", {0.3, -0.2, 6.0});
         const Rendering rendering = render(stage, {&light, 1}, stage.camera, options).value();
         for (std::size_t i = 0; i < rendering.illuminance_lx.pixels.size(); ++i) {

@@ -6,8 +6,8 @@
 #include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
-#include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_cylinder.hpp>
+#include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_tube.hpp>
 #include <gonio/sky/sky.hpp>
 
@@ -154,8 +154,7 @@ double counted_share(const Stage& stage, std::size_t own, const Light& light, co
         return count(
             shading::RectangleSampler<double>(center, axis, vec(light.frame.x), s->width.value, s->height.value));
     if (const auto* s = std::get_if<CylinderShape>(&light.shape))
-        return count(
-            shading::CylinderSampler<double>(center, vec(light.frame.x), s->radius.value, s->length.value));
+        return count(shading::CylinderSampler<double>(center, vec(light.frame.x), s->radius.value, s->length.value));
     const auto& s = std::get<TubeShape>(light.shape);
     return count(shading::TubeSampler<double>(center, vec(light.frame.x), s.radius.value, s.length.value));
 }

@@ -59,14 +59,13 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Sets, AreaKernels,
-                         testing::Combine(testing::Values(Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube, Kind::cylinder),
-                                          testing::ValuesIn(gonio::simd::available_sets().begin(),
-                                                            gonio::simd::available_sets().end())),
-                         [](const auto& each) {
-                             return name_of(std::get<0>(each.param)) + "_" +
-                                    gonio::simd::to_text(std::get<1>(each.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Sets, AreaKernels,
+    testing::Combine(testing::Values(Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube, Kind::cylinder),
+                     testing::ValuesIn(gonio::simd::available_sets().begin(), gonio::simd::available_sets().end())),
+    [](const auto& each) {
+        return name_of(std::get<0>(each.param)) + "_" + gonio::simd::to_text(std::get<1>(each.param));
+    });
 
 TEST_P(AreaKernels, FloatWithinItsBarOfDouble) {
     const AreaCases cases = gonio::measure::area_cases(kind, scaled(200'000), 21);
@@ -301,8 +300,9 @@ TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
                 truth =
                     shade(point, TubeLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite).x;
             if (kind == Kind::cylinder)
-                truth = shade(point, CylinderLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite)
-                            .x;
+                truth =
+                    shade(point, CylinderLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite)
+                        .x;
             // The representative point jumps where the mirrored ray runs along the plane: a few points may differ.
             if (std::fabs(static_cast<double>(out[0][i]) - truth) > 1e-3 * truth + 1e-6) ++off;
         }

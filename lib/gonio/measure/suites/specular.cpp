@@ -10,7 +10,7 @@ namespace {
 
 using Kind = shading::LightConstants::Kind;
 
-constexpr std::array kinds{std::pair{"sphere", Kind::sphere}, std::pair{"disk", Kind::disk},
+constexpr std::array kinds{std::pair{"sphere", Kind::sphere},   std::pair{"disk", Kind::disk},
                            std::pair{"ellipse", Kind::ellipse}, std::pair{"rectangle", Kind::rectangle},
                            std::pair{"tube", Kind::tube},       std::pair{"cylinder", Kind::cylinder}};
 
