@@ -223,11 +223,12 @@ Result<Source> read_source(const ImportJob& job, const ImportRequest& request) {
 
 Result<LightScene> scene_of(const Source& source, const Content& content, const Target& target,
                             const ImportRequest& request) {
-    if (content.luminaire) return light_scene(target, *content.luminaire, request.unit);
+    if (content.luminaire) return light_scene(target, *content.luminaire, request.unit, request.photometric);
     LightSceneOptions options;
     options.name = source.name;
     options.description = fmt::format("{} of {}", content.description, source.input.file);
     options.unit = request.unit;
+    options.photometric = request.photometric;
     if (content.sky) options.sky = &*content.sky;
     return light_scene(target, content.lights, options);
 }

@@ -100,6 +100,10 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
         for (const Target* target : request.targets)
             if (Result<void> takes = check_unit(*target, request.unit); !takes) return pass_on(takes);
     }
+    request.photometric = arguments.has("--photometric");
+    const auto is_usd = [](const Target* target) { return target->name == "usd"; };
+    if (request.photometric && std::none_of(request.targets.begin(), request.targets.end(), is_usd))
+        return fail("USE0107", "--photometric is for usd: no other target has schemas for lumens", "add --to usd");
     Result<Catalogue> catalogue = catalogue_of(arguments);
     if (!catalogue) return pass_on(catalogue);
     request.catalogue = std::move(*catalogue);
@@ -133,6 +137,7 @@ std::string recipe_of(const ImportRequest& request) {
     if (!request.light.color.empty()) text += " color=" + request.light.color;
     if (request.light.rotation.value != 0.0) text += fmt::format(" rotate={}deg", to_degrees(request.light.rotation));
     if (request.unit.value != 1.0) text += fmt::format(" unit={}m", request.unit.value);
+    if (request.photometric) text += " photometric";
     return text + recipe_of(request.input);
 }
 

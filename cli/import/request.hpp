@@ -33,6 +33,7 @@ inline constexpr std::array import_options{
     Option{"--color", "COLOR", "2700K, 2700K/0.002, d65, #ffd9a0, rgb(r,g,b) or an illuminant (from the profile)"},
     Option{"--rotate", "ANGLE", "rotate a profile or a shape about its axis, C0 towards C90 (0deg)"},
     Option{"--unit-scale", "UNIT", "length of one scene unit: mm, cm, m, in, ft or 2.5cm (m, or that of the target)"},
+    Option{"--photometric", "", "usd: also lumens and lux, by the schemas of its proposal for physical lighting"},
     Option{"--allow-outside", "", "let rigs name pipes and files outside their folder"},
     Option{"-u,--update", "", "write only outdated assets: made from other bytes or with other options"},
     Option{"--overwrite", "", "replace existing files"},
@@ -54,6 +55,7 @@ struct ImportRequest {
     RigReadOptions rig;
     SkyRequest sky; // of rigs
     Catalogue catalogue;
+    bool photometric = false;
     bool overwrite = false;
     bool update = false;
 };

@@ -75,6 +75,9 @@ struct SoundShape {
     void operator()(const TubeShape& tube) const {
         require(positive(tube.radius.value) && positive(tube.length.value));
     }
+    void operator()(const CylinderShape& cylinder) const {
+        require(positive(cylinder.radius.value) && positive(cylinder.length.value));
+    }
     void operator()(const SunShape& sun) const {
         require(sun.diameter.value > 0.0 && sun.diameter.value <= std::numbers::pi);
     }

@@ -16,7 +16,7 @@ import tempfile
 here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.dirname(os.path.dirname(here))
 gonio, measured_file = map(os.path.abspath, sys.argv[1:])
-COLUMNS = ["point", "spot", "profile", "projector", "sphere", "disk", "rect", "tube", "sun", "sky"]
+COLUMNS = ["point", "spot", "profile", "projector", "sphere", "disk", "rect", "tube", "cylinder", "sun", "sky"]
 FALLOFFS = ["frostbite", "smoothstep-cos", "smoothstep-angle", "linear-angle", "linear-cos"]
 PROGRAMS = {  # as run.sh names them: as they are called
     "threejs": "three.js, WebGPURenderer",

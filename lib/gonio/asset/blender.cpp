@@ -407,6 +407,9 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
     case LightKind::tube:
         return fmt::format("light = glowing_mesh({}, {}, {}, {})\n", quoted(l.name),
                            mesh_lists(capsule_mesh(l.radius, l.width)), tuple(l.color), l.nits / lumens_per_watt);
+    case LightKind::cylinder:
+        return fmt::format("light = glowing_mesh({}, {}, {}, {})\n", quoted(l.name),
+                           mesh_lists(cylinder_mesh(l.radius, l.width)), tuple(l.color), l.nits / lumens_per_watt);
     case LightKind::sun:
         return lamp("SUN", l.lux) + fmt::format("light.angle = {}\n", l.diameter);
     default:
@@ -446,8 +449,9 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
     text += place;
     if (!scene.profiles.empty() || !scene.images.empty()) text += node_helper;
     if (!scene.profiles.empty()) text += profile_helper;
-    const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
-                                   [](const SceneLight& light) { return light.kind == LightKind::tube; });
+    const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(), [](const SceneLight& light) {
+        return light.kind == LightKind::tube || light.kind == LightKind::cylinder;
+    });
     if (tubes) text += tube_helper;
     if (scene.sky || !scene.images.empty()) text += folder_helper;
     if (!scene.images.empty()) text += image_helper;

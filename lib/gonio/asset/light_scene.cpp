@@ -74,6 +74,9 @@ Grid grid_of(const FrustumShape& /*above the horizon it is dark*/) {
 Grid grid_of(const TubeShape& /*smooth*/) {
     return {Symmetry::quadrant, steps(0.0, 90.0, 36), steps(0.0, 180.0, 72)};
 }
+Grid grid_of(const CylinderShape& /*smooth*/) {
+    return {Symmetry::quadrant, steps(0.0, 90.0, 36), steps(0.0, 180.0, 72)};
+}
 Grid around_axis() {
     return {Symmetry::axial, {0.0}, steps(0.0, 180.0, 180)};
 }
@@ -211,6 +214,7 @@ public:
         content_.name = options.name;
         content_.description = asset_detail::ascii(options.description);
         content_.units_per_meter = scale_.length;
+        content_.photometric = options.photometric;
     }
 
     Result<void> add(const Light& light) {
@@ -405,7 +409,7 @@ private:
             kind = LightKind::panel;
         }
         if (shape.mask) {
-            if (!target_.holds.near_profiles || !holds(kind) || kind == LightKind::tube)
+            if (!target_.holds.near_profiles || !holds(kind) || kind == LightKind::tube || kind == LightKind::cylinder)
                 return place_far(light, std::move(made), "a mask on an area light");
             Result<std::size_t> profile =
                 index_of_profile(light, made, [&](const std::string& name) { return mask_of_luminances(light, name); });
@@ -491,6 +495,12 @@ private:
     Result<void> place(const Light& light, const TubeShape& tube, SceneLight made) {
         made.radius = tube.radius.value * scale_.length;
         made.width = tube.length.value * scale_.length;
+        if (!tube.mask && !holds(LightKind::tube) && holds(LightKind::cylinder)) {
+            say(light, fmt::format("{} does not have tube lights: written as a cylinder without caps, of the same flux",
+                                   target_.name));
+            made.nits *= 1.0 + 2.0 * made.radius / made.width;
+            return place_as(LightKind::cylinder, std::move(made));
+        }
         if (!tube.mask && !holds(LightKind::tube) && target_.holds.profile_size) {
             // The tube lies along C90 of its profile.
             const glm::dvec3 along = made.frame.x;
@@ -500,6 +510,11 @@ private:
                              "a point of the tube's size");
         }
         return place_area(light, tube, LightKind::tube, false, std::move(made));
+    }
+    Result<void> place(const Light& light, const CylinderShape& cylinder, SceneLight made) {
+        made.radius = cylinder.radius.value * scale_.length;
+        made.width = cylinder.length.value * scale_.length;
+        return place_area(light, cylinder, LightKind::cylinder, false, std::move(made));
     }
     Result<void> place(const Light& light, const SunShape& sun, SceneLight made) {
         if (!holds(LightKind::sun)) {
@@ -592,7 +607,7 @@ Result<LightScene> light_scene(const Target& target, std::span<const Light> ligh
     return scene;
 }
 
-Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit) {
+Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit, bool photometric) {
     if (Result<void> checked = check_unit(target, unit); !checked) return pass_on(checked);
     SceneContent content;
     content.name = light.name;
@@ -600,6 +615,7 @@ Result<LightScene> light_scene(const Target& target, const MeasuredLight& light,
     const Scale scale = scale_of(target, unit);
     content.units_per_meter = scale.length;
     content.single = true;
+    content.photometric = photometric;
     SceneLight placed;
     placed.kind = LightKind::profile;
     placed.name = light.name;

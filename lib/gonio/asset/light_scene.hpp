@@ -42,6 +42,7 @@ struct LightSceneOptions {
     std::string description;         // for a comment in them: "12 lights of studio.json"
     Meters unit{1.0};                // length of the target's unit; see check_unit()
     const SkyPicture* sky = nullptr; // if there is one
+    bool photometric = false;        // usd: with the schemas of UsdLux' proposal for lumens and lux
 };
 
 // Files are named NAME.…, those of the profiles NAME.LIGHT.…, that of a sky NAME.sky.… (or the next free name); lights
@@ -51,7 +52,8 @@ struct LightSceneOptions {
 Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options);
 
 // A single luminaire, at the origin and aimed down, C0 along +X.
-Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit = Meters(1.0));
+Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit = Meters(1.0),
+                               bool photometric = false);
 
 // Fails (unsupported) on more lights than the limit import-lights. A caller that checks before it resolves the lights
 // saves that work.

@@ -89,6 +89,8 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
     }
     case LightKind::tube:
         return glowing(light, capsule_mesh(light.radius, light.width));
+    case LightKind::cylinder:
+        return glowing(light, cylinder_mesh(light.radius, light.width));
     case LightKind::sun:
         return fmt::format("{0}.type = \"distant\"\n{0}.color = {1}\n{0}.gain = {2} {2} {2}\n{0}.direction = {3}\n"
                            "{0}.theta = {4}\n",

@@ -86,6 +86,14 @@ std::string ball(const SceneLight& light, const glm::dvec3& center) {
         triple(center), light.radius, emitting(light));
 }
 
+std::string side_of(const SceneLight& light) {
+    const glm::dvec3 half = 0.5 * light.width * light.frame.x;
+    return fmt::format("    <shape type=\"cylinder\">\n        <point name=\"p0\" value=\"{}\"/><point name=\"p1\" "
+                       "value=\"{}\"/><float name=\"radius\" value=\"{}\"/>\n        {}\n    </shape>\n",
+                       triple(light.frame.origin - half), triple(light.frame.origin + half), light.radius,
+                       emitting(light));
+}
+
 std::string flat(std::string_view type, const SceneLight& light, double width, double height) {
     return fmt::format("    <shape type=\"{}\">\n        {}\n        {}\n    </shape>\n", type,
                        aimed(light.frame, width, height), emitting(light));
@@ -182,11 +190,10 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
     }
     case LightKind::tube: {
         const glm::dvec3 half = 0.5 * light.width * frame.x;
-        return ball(light, frame.origin - half) + ball(light, frame.origin + half) +
-               fmt::format("    <shape type=\"cylinder\">\n        <point name=\"p0\" value=\"{}\"/><point name=\"p1\" "
-                           "value=\"{}\"/><float name=\"radius\" value=\"{}\"/>\n        {}\n    </shape>\n",
-                           triple(frame.origin - half), triple(frame.origin + half), light.radius, emitting(light));
+        return ball(light, frame.origin - half) + ball(light, frame.origin + half) + side_of(light);
     }
+    case LightKind::cylinder:
+        return side_of(light);
     case LightKind::sun:
         return emitter("directional", fmt::format(R"(<vector name="direction" value="{}"/>{})", triple(-frame.z),
                                                   mitsuba_rgb("irradiance", light.lux * light.color)));

@@ -38,6 +38,13 @@ std::string ball(double x, double radius) {
                        x, radius);
 }
 
+// Turns the axis to X for what follows.
+std::string pbrt_side(const SceneLight& light) {
+    return fmt::format("  Rotate 90 0 1 0\n"
+                       "  Shape \"cylinder\" \"float radius\" {} \"float zmin\" {} \"float zmax\" {}\n",
+                       light.radius, -0.5 * light.width, 0.5 * light.width);
+}
+
 std::string triangles(const Mesh& mesh) {
     std::string indices;
     for (const glm::ivec3& face : mesh.faces)
@@ -99,10 +106,9 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
     case LightKind::tube:
         // Whole spheres: the halves inside the cylinder only light its inside.
         return area(light,
-                    ball(-0.5 * light.width, light.radius) + ball(0.5 * light.width, light.radius) +
-                        fmt::format("  Rotate 90 0 1 0\n"
-                                    "  Shape \"cylinder\" \"float radius\" {} \"float zmin\" {} \"float zmax\" {}\n",
-                                    light.radius, -0.5 * light.width, 0.5 * light.width));
+                    ball(-0.5 * light.width, light.radius) + ball(0.5 * light.width, light.radius) + pbrt_side(light));
+    case LightKind::cylinder:
+        return area(light, pbrt_side(light));
     case LightKind::sun:
         return fmt::format("  LightSource \"distant\" \"rgb L\" [ {} ] \"float illuminance\" [ {} ]\n"
                            "    \"point3 from\" [ 0 0 0 ] \"point3 to\" [ 0 0 -1 ]\n",

@@ -80,7 +80,7 @@ std::string ellipse(const SceneLight& light) {
     return text;
 }
 
-// The side of a tube: rectangles of its area.
+// The side of a tube or a cylinder: rectangles of its area.
 std::string cylinder(const SceneLight& light) {
     constexpr int around = 24;
     const double half_length = 0.5 * light.width;
@@ -154,6 +154,8 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
     case LightKind::tube: {
         return glowing(light.nits) + cylinder(light) + cap(light, -1.0) + cap(light, 1.0);
     }
+    case LightKind::cylinder:
+        return glowing(light.nits) + cylinder(light);
     case LightKind::sun:
         return glowing(light.nits) + fmt::format("{0} source {0}.disk\n0\n0\n4 {1}  {2}\n", light.name,
                                                  triple(frame.z, " "), light.diameter * 180.0 / pi);

@@ -83,8 +83,8 @@ struct SceneLight {
     double lux = 0.0;   // of the sun, on a plane across its direction
     double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
     double outer = 0.0;
-    double radius = 0.0;                  // of a sphere, a disk, a tube [unit]
-    double width = 0.0;                   // of an ellipse and a rectangle along X; a tube's cylinder
+    double radius = 0.0;                  // of a sphere, a disk, a tube, a cylinder [unit]
+    double width = 0.0;                   // of an ellipse and a rectangle along X; a tube's cylinder, a cylinder
     double height = 0.0;                  // of an ellipse and a rectangle along Y
     double diameter = 0.0;                // of the sun [rad]
     std::optional<double> range;          // [unit]; only where the target has the window
@@ -142,6 +142,7 @@ struct SceneContent {
     std::vector<SceneLight> lights;
     std::optional<SceneSky> sky;     // only if the target stores skies
     bool single = false;             // a single luminaire, with the profile's own name
+    bool photometric = false;        // LightSceneOptions::photometric
     std::optional<SceneStage> stage; // in metres; if present, the file is a whole scene
 };
 

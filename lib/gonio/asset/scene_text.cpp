@@ -106,6 +106,22 @@ Mesh capsule_mesh(double radius, double length) {
     return mesh;
 }
 
+Mesh cylinder_mesh(double radius, double length) {
+    constexpr int around = 96;
+    const double r = radius * pi / around / std::sin(pi / around);
+    Mesh mesh;
+    for (const double x : {-0.5 * length, 0.5 * length})
+        for (int i = 0; i < around; ++i)
+            mesh.points.emplace_back(x, r * std::cos(2.0 * pi * i / around), r * std::sin(2.0 * pi * i / around));
+    for (int i = 0; i < around; ++i) {
+        const int a = i;
+        const int b = (i + 1) % around;
+        mesh.faces.emplace_back(a, b, b + around);
+        mesh.faces.emplace_back(a, b + around, a + around);
+    }
+    return mesh;
+}
+
 Mesh rectangle_mesh(double width, double height) {
     const double x = 0.5 * width;
     const double y = 0.5 * height;

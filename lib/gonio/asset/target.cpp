@@ -30,8 +30,11 @@ constexpr std::array point_disk_rect_sun{LightKind::point, LightKind::disk, Ligh
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
 constexpr std::array point_rect_tube_sun{LightKind::point, LightKind::rect, LightKind::tube, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
-constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk, LightKind::ellipse,
-                               LightKind::rect,  LightKind::tube,   LightKind::sun};
+constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk,     LightKind::ellipse,
+                               LightKind::rect,  LightKind::tube,   LightKind::cylinder, LightKind::sun};
+// A cylinder has no caps.
+constexpr std::array all_kinds_but_tubes{LightKind::point, LightKind::sphere,   LightKind::disk, LightKind::ellipse,
+                                         LightKind::rect,  LightKind::cylinder, LightKind::sun};
 
 constexpr TargetSky latlong{SkyPictureKind::latlong, false, false, {}};
 constexpr TargetSky latlong_or_uniform{SkyPictureKind::latlong, true, false, {}};
@@ -89,9 +92,16 @@ constexpr TargetHolds luxcore_holds{all_kinds, std::nullopt,       false,       
                                     false,     latlong_or_uniform, panels_alone};
 constexpr TargetHolds radiance_holds{all_kinds,         std::nullopt, false, false,          90.0,
                                      TargetLength::any, false,        false, rgbe_or_uniform};
-constexpr TargetHolds usd_holds{
-    all_kinds, Falloff::smoothstep_angle, true,        false, 90.0, TargetLength::any, false,
-    false,     latlong_or_uniform,        panels_alone};
+constexpr TargetHolds usd_holds{all_kinds_but_tubes,
+                                Falloff::smoothstep_angle,
+                                true,
+                                false,
+                                90.0,
+                                TargetLength::any,
+                                false,
+                                false,
+                                latlong_or_uniform,
+                                panels_alone};
 constexpr TargetHolds godot_holds{
     point_rect_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false, latlong, in_narrow_cones};
 constexpr TargetHolds unity_holds{

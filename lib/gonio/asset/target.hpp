@@ -58,6 +58,7 @@ enum class LightKind {
     rect,
     panel, // a rectangle with an image
     tube,
+    cylinder,
     sun
 };
 

@@ -151,12 +151,6 @@ bool nearly(double a, double b) {
     return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
 }
 
-void close_cylinder(FoundLight& light) {
-    const auto& tube = std::get<TubeShape>(*light.shape);
-    light.intensity->number /= 1.0 + 2.0 * tube.radius.value / tube.length.value;
-    remark(light, "SCN0202", "a cylinder without caps: a rig's tube has them, and gets the same flux");
-}
-
 void take_flat(FoundLight& light, const glm::dmat4& world, bool round, double aim, bool two_sided, char up,
                double meters_per_unit) {
     if (!place_light(light, world, {0.0, 0.0, aim}, {0.0, aim < 0.0 ? 1.0 : -1.0, 0.0}, up, meters_per_unit)) return;
@@ -331,7 +325,7 @@ void join_capsules(std::vector<FoundLight>& lights) {
             if (lights[i].name.empty()) lights[i].name = lights[first].name;
             break;
         }
-        if (!joined) close_cylinder(lights[i]);
+        if (!joined) lights[i].shape = CylinderShape{tube->radius, tube->length};
     }
     if (!any) return;
     std::size_t kept = 0;

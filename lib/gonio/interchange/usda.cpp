@@ -6,8 +6,11 @@
 #include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/planckian.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/interchange/detail/reading.hpp>
 #include <gonio/interchange/detail/usda.hpp>
+#include <gonio/light/light_color.hpp>
 
 #include <fmt/format.h>
 #include <glm/ext/matrix_transform.hpp>
@@ -47,11 +50,8 @@ public:
         worlds_.resize(layer_.prims.size());
         for (std::uint32_t i = 0; i < layer_.prims.size(); ++i) {
             const UsdPrim& prim = layer_.prims[i];
-            const auto has_schema = [&](std::string_view name) {
-                return std::find(prim.schemas.begin(), prim.schemas.end(), name) != prim.schemas.end();
-            };
             const bool is_light = prim.type.ends_with("Light") || prim.type.ends_with("Light_1");
-            if (!is_light && !has_schema("MeshLightAPI") && !has_schema("VolumeLightAPI")) continue;
+            if (!is_light && !has_schema(prim, "MeshLightAPI") && !has_schema(prim, "VolumeLightAPI")) continue;
             if (Result<void> read = read_light(i); !read) return pass_on(read);
             if (scene_.lights.size() > limit("scene-lights").value)
                 return scene_error("SCN0108", place(prim), fmt::format("more than {}", to_text(limit("scene-lights"))));
@@ -297,6 +297,112 @@ private:
         return {};
     }
 
+    static bool has_schema(const UsdPrim& prim, std::string_view name) {
+        return std::find(prim.schemas.begin(), prim.schemas.end(), name) != prim.schemas.end();
+    }
+
+    // What the schemas of the proposal "physical lighting" say: a flux or an illuminance, which replaces intensity,
+    // exposure and the luminance of the colour. Photometric ones win over radiometric ones.
+    struct Physical {
+        std::optional<double> amount; // lm or lx; nothing: no such schema, or only a remark
+        std::optional<glm::dvec3> color;
+        bool is_blackbody = false;
+    };
+
+    // Of watts: what the option says, else what the illuminant has.
+    Result<double> efficacy_of(FoundLight& light, const UsdPrim& prim, const std::string& illuminant,
+                               const std::optional<double>& of_custom) {
+        if (options_.lumens_per_watt) return *options_.lumens_per_watt;
+        if (of_custom) return *of_custom;
+        if (illuminant == "blackbody") {
+            Result<double> kelvin = number(light, prim, "colorTemperature", 6500.0);
+            if (!kelvin) return kelvin;
+            if (*kelvin >= 500.0 && *kelvin <= 1e6) {
+                const double lumens = blackbody_efficacy(Kelvin(*kelvin)).total_lm_per_w;
+                remark(light, "SCN0201",
+                       fmt::format("watts of a black body of {} K: {} lm/W of all its radiation are assumed",
+                                   rounded(*kelvin), rounded(lumens, 4)),
+                       "--lm-per-watt says what they are");
+                return lumens;
+            }
+        }
+        const std::optional<Spectrum> white = find_illuminant("D65");
+        const Result<SpectrumColor> color = color_of(*white, Band{380.0, 780.0});
+        if (!color) return Unexpected(color.error());
+        remark(
+            light, "SCN0201",
+            fmt::format("watts of light whose spectrum is not known: {} lm/W are assumed, as of D65 within 380–780 nm",
+                        rounded(color->efficacy_lm_per_w, 4)),
+            "--lm-per-watt says what they are");
+        return color->efficacy_lm_per_w;
+    }
+
+    // The colour and the efficacy of pairs of nm and power; nothing with a remark where they are no spectrum.
+    std::optional<SpectrumColor> custom_of(FoundLight& light, const UsdPrim& prim, Physical& physical) {
+        const UsdValue* const pairs = value(&light, prim, "physical:customIlluminant");
+        std::string reason = "it has no 'physical:customIlluminant'";
+        if (pairs != nullptr && !pairs->numbers.empty() && pairs->numbers.size() % 2 == 0) {
+            std::string text;
+            constexpr std::size_t most = 20000; // numbers: 10,000 wavelengths
+            if (pairs->numbers.size() <= most)
+                for (std::size_t i = 0; i < pairs->numbers.size(); i += 2)
+                    text += fmt::format("{},{}\n", shortest(pairs->numbers[i]), shortest(pairs->numbers[i + 1]));
+            const Result<Spectrum> spectrum = parse_spectrum_csv(text, source_);
+            if (spectrum) {
+                Diagnostics clipped;
+                const Result<glm::dvec3> color = light_color_of(*spectrum, &clipped);
+                Result<SpectrumColor> facts = color_of(*spectrum);
+                if (color && facts) {
+                    physical.color = *color;
+                    if (!clipped.empty())
+                        remark(light, "SCN0202", "the colour of its spectrum lies outside Rec.709: clipped to it");
+                    return *facts;
+                }
+            } else if (!spectrum.error().diagnostics.empty()) {
+                reason = spectrum.error().diagnostics.back().message;
+            }
+        }
+        remark(light, "SCN0202", fmt::format("its custom illuminant is left out: {}", reason));
+        return std::nullopt;
+    }
+
+    Result<Physical> physical_of(FoundLight& light, const UsdPrim& prim) {
+        const bool is_distant = light.kind == "DistantLight";
+        const bool is_dome = light.kind.starts_with("DomeLight");
+        const std::string_view where = is_distant ? "Distant" : is_dome ? "Dome" : "Area";
+        const bool is_photometric = has_schema(prim, fmt::format("Photometric{}LightAPI", where));
+        Physical physical;
+        if (!is_photometric && !has_schema(prim, fmt::format("Radiometric{}LightAPI", where))) return physical;
+        const UsdValue* const said = value(&light, prim, "physical:illuminant");
+        const std::string illuminant = said != nullptr && !said->texts.empty() ? said->texts.front() : "white";
+        std::optional<double> of_custom;
+        if (illuminant == "custom") {
+            if (const std::optional<SpectrumColor> facts = custom_of(light, prim, physical))
+                of_custom = facts->efficacy_lm_per_w;
+        } else if (illuminant != "white" && illuminant != "blackbody") {
+            remark(light, "SCN0202",
+                   fmt::format("there is no illuminant '{}': white is assumed", cut_text(illuminant, 40)));
+        }
+        physical.is_blackbody = illuminant == "blackbody";
+        const bool is_of_area = where == "Area";
+        const std::string name = is_photometric ? (is_of_area ? "photometric:power" : "photometric:illuminance")
+                                                : (is_of_area ? "radiometric:power" : "radiometric:irradiance");
+        const double otherwise = is_photometric ? (is_of_area ? 1600.0 : 10000.0) : (is_of_area ? 2.34 : 14.64);
+        Result<double> stated = number(light, prim, name, otherwise);
+        if (!stated) return pass_on(stated);
+        light.stated = fmt::format("{} {}", name, rounded(*stated));
+        if (illuminant != "white") light.stated += fmt::format(", {}", cut_text(illuminant, 40));
+        light.stated_amount = *stated;
+        if (is_photometric) {
+            physical.amount = *stated;
+            return physical;
+        }
+        Result<double> efficacy = efficacy_of(light, prim, illuminant, of_custom);
+        if (!efficacy) return pass_on(efficacy);
+        physical.amount = *stated * *efficacy;
+        return physical;
+    }
+
     Result<void> read_amount(FoundLight& light, const UsdPrim& prim, const glm::dmat4& world) {
         const bool is_distant = light.kind == "DistantLight";
         Result<double> intensity = number(light, prim, "intensity", is_distant ? 50000.0 : 1.0);
@@ -319,18 +425,29 @@ private:
         Result<double> has_kelvin = number(light, prim, "enableColorTemperature", 0.0);
         if (!has_kelvin) return pass_on(has_kelvin);
         const bool is_tinted = rgb.x != rgb.y || rgb.y != rgb.z;
-        if (*has_kelvin != 0.0) {
+        Result<Physical> physical = physical_of(light, prim);
+        if (!physical) return pass_on(physical);
+        if (*has_kelvin != 0.0 || physical->is_blackbody) {
             Result<double> kelvin = number(light, prim, "colorTemperature", 6500.0);
             if (!kelvin) return pass_on(kelvin);
             light.stated += fmt::format(", {} K", rounded(*kelvin));
             rgb *= blackbody_color(light, *kelvin);
             light.temperature = Kelvin(*kelvin);
         }
-        const double nits = light.stated_amount * take_color(light, rgb);
+        if (physical->color) rgb *= *physical->color;
+        const double of_color = take_color(light, rgb);
+        // With a flux or an illuminance of its own the intensity cancels.
+        const double nits = physical->amount ? 1.0 : light.stated_amount * of_color;
         light.stated_color_max = 1.0;
         light.is_tinted = is_tinted;
-        if (is_distant) return distant(light, prim, world, nits, *normalize != 0.0);
-        return area(light, prim, world, nits, *normalize != 0.0);
+        const bool is_normalized = *normalize != 0.0 && !physical->amount;
+        Result<void> read = is_distant ? distant(light, prim, world, nits, is_normalized)
+                                       : area(light, prim, world, nits, is_normalized);
+        if (!read || !physical->amount || !light.shape) return read;
+        // The flux of what is left of the light by its cone or profile.
+        light.profile_scale = 1.0;
+        light.intensity = amount(*physical->amount, is_distant ? "lx" : "lm");
+        return {};
     }
 
     Result<void> distant(FoundLight& light, const UsdPrim& prim, const glm::dmat4& world, double nits,
@@ -363,7 +480,7 @@ private:
 
     Result<Shaping> shaping_of(FoundLight& light, const UsdPrim& prim) {
         Shaping shaping;
-        shaping.is_there = std::find(prim.schemas.begin(), prim.schemas.end(), "ShapingAPI") != prim.schemas.end() ||
+        shaping.is_there = has_schema(prim, "ShapingAPI") ||
                            std::any_of(prim.attributes.begin(), prim.attributes.end(), is_of_shaping) ||
                            std::any_of(prim.opinions.begin(), prim.opinions.end(),
                                        [](const UsdOpinion& one) { return is_of_shaping(*one.said); });
@@ -431,7 +548,7 @@ private:
             const double r = *radius * scale.y;
             const double l = *length * scale.x;
             stage_area = 2.0 * pi * r * l;
-            light.shape = TubeShape{Meters(r * unit), Meters(l * unit)};
+            light.shape = CylinderShape{Meters(r * unit), Meters(l * unit)};
         } else {
             only_list(light, light.kind.starts_with("DomeLight")
                                  ? std::string("light from all around is the sky of a rig")
@@ -467,7 +584,6 @@ private:
         if (!as_point) return pass_on(as_point);
         if (is_sphere && (*as_point != 0.0 || shaping->is_there))
             return punctual(light, *shaping, nits * projected, *as_point != 0.0);
-        if (light.kind == "CylinderLight") close_cylinder(light);
         if (shaping->is_there) shape_area(light, *shaping);
         return {};
     }

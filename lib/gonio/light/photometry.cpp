@@ -263,8 +263,8 @@ Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illumi
         return emission.intensity.value * facing_factor(shape_, factors_, Meters(distance_m)).value;
     };
     // The illuminance is greatest on contact, where an area light fills the half space, and falls without end. The
-    // inverse square of the brightest direction bounds it for every shape but the tube, where the near end may count
-    // for more, so the distance is doubled until the illuminance is below the target.
+    // inverse square of the brightest direction bounds it for every shape but tube and cylinder, whose near side may
+    // count for more, so the distance is doubled until the illuminance is below the target.
     double far = std::sqrt(candela / illuminance.value);
     if (!std::isfinite(far) || !(far > 0.0)) return fail("USE0106", "the distance is out of the range of a number");
     double near = std::fmax(factors_.nearest_m, 1e-9 * far);

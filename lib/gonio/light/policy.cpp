@@ -180,7 +180,7 @@ public:
     Meanings usd() const {
         if (class_of(shape_) == ShapeClass::punctual)
             return none("UsdLux has lights with an area only; shape a sphere, disk, rectangle or cylinder");
-        if (!has_flat_or<SphereShape, TubeShape>()) return none(lacks("UsdLux"));
+        if (!has_flat_or<SphereShape, TubeShape, CylinderShape>()) return none(lacks("UsdLux"));
         Meanings meanings;
         meanings.units = {honest(Dimension::luminance, "intensity · 2^exposure = L")};
         if (is<SunShape>()) meanings.units.push_back(honest(Dimension::illuminance, "inputs:normalize = 1, E"));

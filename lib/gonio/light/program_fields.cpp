@@ -170,6 +170,7 @@ constexpr std::array lights{
     LightRow{"usd", "disk", "DiskLight", usd_sphere},
     LightRow{"usd", "rect", "RectLight", usd_rect},
     LightRow{"usd", "tube", "CylinderLight", usd_tube},
+    LightRow{"usd", "cylinder", "CylinderLight", usd_tube},
     LightRow{"usd", "sun", "DistantLight", usd_sun},
     LightRow{"blender", "point", "Point", Rows(blender_point).first(1)},
     LightRow{"blender", "sphere", "Point", blender_point},

@@ -135,6 +135,14 @@ struct TubeShape {
     std::shared_ptr<const Web> mask = {};
 };
 
+// The side of a cylinder along X: luminous outside, without caps, so that it is dark seen along its axis.
+struct CylinderShape {
+    Meters radius; // > 0
+    Meters length; // > 0
+    std::string mask_file = {};
+    std::shared_ptr<const Web> mask = {};
+};
+
 // A uniform disk at infinity.
 struct SunShape {
     Radians diameter; // angular, in (0, π]
@@ -142,7 +150,7 @@ struct SunShape {
 
 // What emits: one of the shapes above.
 using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, EllipseShape,
-                           RectShape, TubeShape, SunShape>;
+                           RectShape, TubeShape, CylinderShape, SunShape>;
 
 // The class of a shape: a point to every receiver, a luminous surface, or a source at infinity.
 enum class ShapeClass { punctual, area, sun };

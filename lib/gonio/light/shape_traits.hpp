@@ -1,6 +1,7 @@
 // The traits of all shapes (gonio/light/shapes/description.hpp), for code that has a Shape.
 #pragma once
 
+#include <gonio/light/shapes/cylinder.hpp>
 #include <gonio/light/shapes/disk.hpp>
 #include <gonio/light/shapes/ellipse.hpp>
 #include <gonio/light/shapes/frustum.hpp>

@@ -72,7 +72,8 @@ SurfaceSample sample(const shading::LightConstants& light, Random& random) {
         return {in_plane(out * std::cos(phi) * half(light.width), out * std::sin(phi) * half(light.height)), axis};
     }
     if (light.kind == Kind::disk) return {round * (r * std::sqrt(random.uniform())), axis};
-    if (random.uniform() < 0.5) return {axis * (random.uniform(-1.0, 1.0) * half(light.length)) + round * r, round};
+    if (light.kind == Kind::cylinder || random.uniform() < 0.5)
+        return {axis * (random.uniform(-1.0, 1.0) * half(light.length)) + round * r, round};
     const Vec out = random_direction(random);
     const double side = shading::dot(out, axis) < 0.0 ? -1.0 : 1.0;
     return {axis * (side * half(light.length)) + out * r, out};
@@ -94,7 +95,8 @@ Receiver random_receiver(const shading::LightConstants& light, Stratum stratum, 
         return {from.point + from.outward * (size * log_uniform(random, 1e-3, 0.3)), random_direction(random)};
     }
     Vec away = random_direction(random);
-    if (light.kind != Kind::tube && shading::dot(away, vec(light.axis)) < 0.0) away = away * -1.0;
+    const bool is_flat = light.kind != Kind::tube && light.kind != Kind::cylinder;
+    if (is_flat && shading::dot(away, vec(light.axis)) < 0.0) away = away * -1.0;
     const bool far = stratum == Stratum::far;
     const double d = far ? log_uniform(random, 30.0, 1e6) : log_uniform(random, 1.05, 30.0);
     const double s = 1.0 / d;
@@ -119,6 +121,8 @@ double bounding_radius(const shading::LightConstants& light) {
         return 0.5 * static_cast<double>(std::max(light.width, light.height));
     case Kind::rectangle:
         return 0.5 * std::hypot(static_cast<double>(light.width), static_cast<double>(light.height));
+    case Kind::cylinder:
+        return std::hypot(r, 0.5 * static_cast<double>(light.length));
     case Kind::tube:
         return r + 0.5 * static_cast<double>(light.length);
     }

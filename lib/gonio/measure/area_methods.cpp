@@ -1,4 +1,5 @@
 #include <gonio/measure/area_methods.hpp>
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/irradiance_named.hpp>
@@ -147,6 +148,18 @@ struct Tube {
     }
 };
 
+// The sources have no formula for the side alone: a point.
+struct Cylinder {
+    template<class S>
+    static S exact(const Arguments<S>& a) {
+        return shading::irradiance_cylinder(a.center, a.axis, a.radius, a.length, a.normal);
+    }
+    static float frostbite(const Arguments<float>& a) { return point(a); }
+    static float point(const Arguments<float>& a) {
+        return shading::irradiance_cylinder_point(a.center, a.axis, a.radius, a.length, a.normal);
+    }
+};
+
 template<class Shape>
 std::vector<AreaMethod> methods_of() {
     std::vector<AreaMethod> methods;
@@ -183,6 +196,8 @@ std::vector<AreaMethod> area_methods(Kind kind) {
         add_approximation(methods, "ue4", shading::Approximation::ue4);
         return methods;
     }
+    case Kind::cylinder:
+        return methods_of<Cylinder>();
     default:
         return {};
     }
@@ -203,6 +218,9 @@ std::vector<double> area_truth(const AreaCases& cases) {
         break;
     case Kind::tube:
         truth_of<Tube>(cases, truth);
+        break;
+    case Kind::cylinder:
+        truth_of<Cylinder>(cases, truth);
         break;
     default:
         break;

@@ -1,4 +1,4 @@
-// Error against time of every method for the irradiance of a disk, rectangle or tube.
+// Error against time of every method for the irradiance of a disk, rectangle, tube or cylinder.
 #pragma once
 
 #include <gonio/measure/area_cases.hpp>

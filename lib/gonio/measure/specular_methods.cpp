@@ -1,6 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/specular_truth.hpp>
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/specular_in_double.hpp>
@@ -53,6 +54,8 @@ double with_light(const shading::LightConstants& light, const Work& work) {
                                                     height, 0.0, light.two_sided});
     case Kind::tube:
         return work(shading::TubeLight<double>{zero, zero, vec(light.axis), radius, light.length, 0.0});
+    case Kind::cylinder:
+        return work(shading::CylinderLight<double>{zero, zero, vec(light.axis), radius, light.length, 0.0});
     default:
         return 0.0;
     }

@@ -50,8 +50,9 @@ auto flat(Vec axis, ToPoint point, ToArea area) {
     };
 }
 
-// Half planes through a line parallel to the axis; each cuts the capsule in a rectangle with round ends.
-auto capsule(Vec center, Vec axis, double r, double half) {
+// Half planes through a line parallel to the axis; each cuts the capsule in a rectangle with round ends, of which a
+// cylinder without caps has only the nearer side.
+auto capsule(Vec center, Vec axis, double r, double half, bool is_capped) {
     const double z = dot(axis, center);
     const Vec across = center - axis * z;
     const double d = shading::length(across);
@@ -66,6 +67,7 @@ auto capsule(Vec center, Vec axis, double r, double half) {
         const double off = d * std::sin(w);
         const double thick = std::sqrt(std::max(r * r - off * off, 0.0));
         const auto edge = [&](double at, double sign) {
+            if (!is_capped) return std::atan2(at, near - thick);
             return std::atan2(at, near) + sign * std::asin(std::min(thick / std::hypot(at, near), 1.0));
         };
         const double from = edge(z - half, -1.0);
@@ -180,7 +182,9 @@ double over_light(const shading::LightConstants& light, Vec center, Vec normal, 
     }
     const double half = 0.5 * static_cast<double>(light.length);
     const double z = dot(axis, center);
-    if (shading::length(center - axis * z) > r) return integrate(capsule(center, axis, r, half));
+    if (shading::length(center - axis * z) > r)
+        return integrate(capsule(center, axis, r, half, light.kind != Kind::cylinder));
+    if (light.kind == Kind::cylinder) return 0.0;
     if (std::fabs(z) <= half) return integrate(cap(normal, 1.0));
     return sphere(center - axis * std::copysign(half, z));
 }

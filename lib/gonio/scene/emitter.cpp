@@ -55,6 +55,27 @@ struct Distance {
     std::optional<double> operator()(const TubeShape& tube) const {
         return distance_to(Capsule{light.frame.origin, light.frame.x, 0.5 * tube.length.value, tube.radius.value}, ray);
     }
+    // Rays that come from outside; from its ends and its inside it is not there.
+    std::optional<double> operator()(const CylinderShape& cylinder) const {
+        const glm::dvec3& a = light.frame.x;
+        const glm::dvec3 from = ray.origin - light.frame.origin;
+        const double along = glm::dot(from, a);
+        const double speed = glm::dot(ray.direction, a);
+        const glm::dvec3 across = from - along * a;
+        const glm::dvec3 heading = ray.direction - speed * a;
+        const double speed2 = glm::dot(heading, heading);
+        const double distance = glm::length(across);
+        const double toward = -glm::dot(across, heading);
+        if (!(distance > cylinder.radius.value) || !(toward > 0.0)) return std::nullopt;
+        // Of the axis line, squared, times speed2.
+        const glm::dvec3 turned = glm::cross(across, heading);
+        const double under_root = cylinder.radius.value * cylinder.radius.value * speed2 - glm::dot(turned, turned);
+        if (!(under_root >= 0.0)) return std::nullopt;
+        const double gap2 = (distance - cylinder.radius.value) * (distance + cylinder.radius.value);
+        const double t = gap2 / (toward + std::sqrt(under_root));
+        const bool hits = t > 0.0 && std::abs(along + t * speed) <= 0.5 * cylinder.length.value;
+        return hits ? std::optional(t) : std::nullopt;
+    }
     std::optional<double> operator()(const SunShape& /*no surface at a finite distance*/) const { return std::nullopt; }
     template<PunctualShape Kind>
     std::optional<double> operator()(const Kind& /*no surface*/) const {
@@ -80,6 +101,10 @@ struct Reach {
     }
     double operator()(const TubeShape& tube) const {
         return 0.5 * tube.length.value * std::abs(glm::dot(frame.x, direction)) + tube.radius.value;
+    }
+    double operator()(const CylinderShape& cylinder) const {
+        return 0.5 * cylinder.length.value * std::abs(glm::dot(frame.x, direction)) +
+               cylinder.radius.value * glm::length(glm::cross(frame.x, direction));
     }
     double operator()(const SunShape& /*no surface at a finite distance*/) const { return 0.0; }
     template<PunctualShape Kind>

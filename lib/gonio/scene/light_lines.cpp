@@ -121,6 +121,37 @@ struct Seen {
         return seen;
     }
 
+    // In each plane through the receiver and along the axis the near side is one line.
+    LightLines operator()(const CylinderShape& cylinder) const {
+        const glm::dvec3& a = frame.x;
+        const double radius = cylinder.radius.value;
+        const double half = 0.5 * cylinder.length.value;
+        const double along = glm::dot(center, a);
+        const glm::dvec3 to_line = center - along * a;
+        const double distance = glm::length(to_line);
+        if (!(distance > radius)) return {};
+        LightLines seen;
+        seen.axis = a;
+        seen.count = light_line_count;
+        const glm::dvec3 f = to_line / distance;
+        const glm::dvec3 g = glm::cross(a, f);
+        const double s = radius / distance;
+        for (std::size_t i = 0; i < light_line_count; ++i) {
+            LightLine& line = seen.lines[i];
+            const double theta = pi * place(i);
+            const double sine = s * std::cos(theta);
+            const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+            line.across = cosine * f + sine * g;
+            line.turn = s * std::sin(theta) / cosine * pi / static_cast<double>(light_line_count);
+            const double away = distance * (1.0 - s) * (1.0 + s) / (cosine + s * std::sin(theta));
+            line.from = away * line.across + (along - half) * a;
+            line.to = away * line.across + (along + half) * a;
+            line.low = seen.sine_of(line.from);
+            line.high = seen.sine_of(line.to);
+        }
+        return seen;
+    }
+
     LightLines operator()(const SunShape& /*no surface at a finite distance*/) const { return {}; }
     template<PunctualShape Kind>
     LightLines operator()(const Kind& /*no surface*/) const {

@@ -39,8 +39,9 @@ struct LightLines {
     }
 };
 
-// For spheres, disks, ellipses, rectangles and tubes; other shapes have no lines. The lines run as close to the
-// direction `along` (of any length) as the shape allows, for a tube along the tube, each in the middle of its stripe.
+// For spheres, disks, ellipses, rectangles, tubes and cylinders; other shapes have no lines. The lines run as close to
+// the direction `along` (of any length) as the shape allows, for a tube along the tube, each in the middle of its
+// stripe.
 LightLines light_lines(const Light& light, const glm::dvec3& receiver, const glm::dvec3& along);
 
 } // namespace gonio::detail

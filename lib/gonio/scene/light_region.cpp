@@ -171,6 +171,30 @@ LightRegion LightRegion::tube(Vec center, Vec axis, double radius, double length
     return region;
 }
 
+LightRegion LightRegion::cylinder(Vec center, Vec axis, double radius, double length, Vec normal) {
+    LightRegion region(normal);
+    const Vec to_line = center - axis * dot(axis, center);
+    const double d = height(to_line);
+    if (!(d > radius)) {
+        region.dark_ = true;
+        region.finish();
+        return region;
+    }
+    const std::array<Vec, 2> ends{center - axis * (0.5 * length), center + axis * (0.5 * length)};
+    const Vec f = to_line * (1.0 / d);
+    const Vec g = cross(axis, f);
+    const double s = radius / d;
+    const double kappa = std::sqrt((d - radius) * (d + radius)) / d;
+    const Vec left = (g * kappa - f * s) * radius;
+    const Vec right = (g * -kappa - f * s) * radius;
+    region.set_polygon({ends[0] + left, ends[1] + left, ends[1] + right, ends[0] + right}, center - f * (s * radius));
+    for (const Vec& end : ends)
+        region.circles_[region.circle_count_++] = {end, f, g, radius};
+    region.is_disk_ = true;
+    region.finish();
+    return region;
+}
+
 void LightRegion::add_cone(Vec axis, double sin_sigma, double cos_sigma) {
     const auto [u, v] = across(axis);
     circles_[circle_count_] = {axis * cos_sigma, u, v, sin_sigma};
@@ -254,24 +278,28 @@ void LightRegion::finish() {
             reach_ = std::max(reach_, std::atan2(cones_[i].sin_sigma, cones_[i].cos_sigma));
 }
 
+// The chord that the ray's plane cuts from a disk, as far as the ray meets it.
+PolarInterval LightRegion::chord(const Circle& c, Vec pole, Vec tangent) const {
+    const Vec m = cross(pole, tangent);
+    const Angles cut = solve_circle(dot(m, c.u) * c.radius, dot(m, c.v) * c.radius, -dot(m, c.center));
+    if (!cut.exist) return {};
+    std::array<double, 2> theta{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec end = c.at(std::cos(cut.t[i]), std::sin(cut.t[i]));
+        theta[i] = std::atan2(dot(end, tangent), dot(end, pole));
+    }
+    const auto [low, high] = std::minmax(theta[0], theta[1]);
+    // The chord subtends less than π: it passes over the pole, or over the point opposite it.
+    return high - low < pi ? PolarInterval{std::max(low, 0.0), high} : PolarInterval{std::max(high, 0.0), pi};
+}
+
 PolarInterval LightRegion::along(Vec pole, Vec tangent) const {
     const PolarInterval lit = above(pole, tangent);
     if (whole_) return lit;
     PolarInterval seen;
     if (is_disk_) {
-        // The chord that the ray's plane cuts from the disk.
-        const Circle& c = circles_[0];
-        const Vec m = cross(pole, tangent);
-        const Angles chord = solve_circle(dot(m, c.u) * c.radius, dot(m, c.v) * c.radius, -dot(m, c.center));
-        if (!chord.exist) return {};
-        std::array<double, 2> theta{};
-        for (std::size_t i = 0; i < 2; ++i) {
-            const Vec end = c.at(std::cos(chord.t[i]), std::sin(chord.t[i]));
-            theta[i] = std::atan2(dot(end, tangent), dot(end, pole));
-        }
-        const auto [low, high] = std::minmax(theta[0], theta[1]);
-        // The chord subtends less than π: it passes over the pole, or over the point opposite it.
-        seen = high - low < pi ? PolarInterval{std::max(low, 0.0), high} : PolarInterval{std::max(high, 0.0), pi};
+        for (std::size_t i = 0; i < circle_count_; ++i)
+            seen = hull(seen, chord(circles_[i], pole, tangent));
     } else {
         for (std::size_t i = 0; i < circle_count_; ++i) {
             const Cone& cone = cones_[i];
@@ -296,10 +324,9 @@ PolarInterval LightRegion::above(Vec pole, Vec tangent) const {
 }
 
 // Points of the rim at which the distance from the pole is a local maximum or minimum.
-std::vector<Vec> LightRegion::farthest_of_rim(Vec pole) const {
+std::vector<Vec> LightRegion::farthest_of_rim(const Circle& c, Vec pole) const {
     constexpr int steps = 48;
     constexpr double step = 2.0 * pi / steps;
-    const Circle& c = circles_[0];
     // The change of the distance along the rim: d(pole·p/|p|)/dt times |p|³.
     const auto slope = [&](double t) {
         const double cos_t = std::cos(t);
@@ -343,8 +370,8 @@ std::vector<Vec> LightRegion::turns(Vec pole) const {
         }
     }
     // A disk seen at a slant is a narrow ellipse; near its ends the rays' lengths change fast.
-    if (is_disk_)
-        for (const Vec& p : farthest_of_rim(pole))
+    for (std::size_t i = 0; is_disk_ && i < circle_count_; ++i)
+        for (const Vec& p : farthest_of_rim(circles_[i], pole))
             if (dot(normal_, p) > 0.0) points.push_back(p);
     return points;
 }

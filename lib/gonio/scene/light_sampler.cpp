@@ -39,13 +39,16 @@ shading::RectangleSampler<double> sampler_of(const shading::RectangleLight<doubl
 shading::TubeSampler<double> sampler_of(const shading::TubeLight<double>& light, Vec to_center) {
     return {to_center, light.axis, light.radius, light.length};
 }
+shading::CylinderSampler<double> sampler_of(const shading::CylinderLight<double>& light, Vec to_center) {
+    return {to_center, light.axis, light.radius, light.length};
+}
 
 } // namespace
 
 LightSampler::Seen LightSampler::seen_from(const Light& light, const glm::dvec3& to_center) {
     const Seen none{shading::SphereSampler<double>(vec(to_center), 0.0), false};
     return with_core_light(light.shape, light.frame, light.color, none, [&](const auto& core) -> Seen {
-        const auto seen = shading::seen_from(core, vec(to_center));
+        const auto seen = shading::exactly_seen_from(core, vec(to_center));
         return {sampler_of(seen.light, seen.to_center), shines_on(core, vec(to_center))};
     });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
+#include <gonio/shading/sample_cylinder.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_tube.hpp>
 
@@ -29,8 +30,9 @@ public:
     LightDirection at(const glm::dvec3& direction) const;
 
 private:
-    using Sampler = std::variant<shading::SphereSampler<double>, shading::DiskSampler<double>,
-                                 shading::RectangleSampler<double>, shading::TubeSampler<double>>;
+    using Sampler =
+        std::variant<shading::SphereSampler<double>, shading::DiskSampler<double>, shading::RectangleSampler<double>,
+                     shading::TubeSampler<double>, shading::CylinderSampler<double>>;
 
     struct Seen {
         Sampler sampler;

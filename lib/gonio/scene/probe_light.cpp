@@ -53,6 +53,9 @@ struct AreaIrradiance {
         if (method == IrradianceMethod::ue4) return by<Approximation::ue4>(light);
         return shading::detail::irradiance(light, c, n);
     }
+    double operator()(const shading::CylinderLight<double>& light) const {
+        return shading::detail::irradiance(light, c, n);
+    }
     double operator()(const shading::SunLight<double>& light) const { return shading::detail::irradiance(light, c, n); }
     template<class Flat>
     double operator()(Flat light) const {
@@ -88,6 +91,10 @@ bool is_within(const shading::TubeLight<double>& light, const glm::dvec3& to_cen
     const double half = 0.5 * light.length;
     return glm::length(to_center - std::clamp(along, -half, half) * axis) < light.radius;
 }
+// In it and before its open ends a point sees none of its luminous side.
+bool is_within(const shading::CylinderLight<double>& /*dark inside*/, const glm::dvec3& /*to_center*/) {
+    return false;
+}
 bool is_within(const shading::SunLight<double>& /*at infinity*/, const glm::dvec3& /*to_center*/) {
     return false;
 }
@@ -103,6 +110,7 @@ bool is_within(const Flat& /*light*/, const glm::dvec3& /*to_center*/) {
 // form for its shape.
 bool as_point(const Shape& shape, IrradianceMethod method) {
     if (!has_extent(shape) || method == IrradianceMethod::point) return true;
+    if (std::holds_alternative<CylinderShape>(shape)) return takes_points(method);
     return method == IrradianceMethod::ue4 && is_flat(shape);
 }
 

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -49,8 +51,24 @@ LightRegion region_of(const shading::RectangleLight<double>& light, Vec center, 
 LightRegion region_of(const shading::TubeLight<double>& light, Vec center, Vec normal, double scale) {
     return LightRegion::tube(center, light.axis, scale * light.radius, scale * light.length, normal);
 }
+LightRegion region_of(const shading::CylinderLight<double>& light, Vec center, Vec normal, double scale) {
+    return LightRegion::cylinder(center, light.axis, scale * light.radius, scale * light.length, normal);
+}
 LightRegion region_of(const shading::SunLight<double>& light, Vec /*center*/, Vec normal, double /*scale*/) {
     return LightRegion::cap(light.toward, light.sine, light.cosine, normal);
+}
+
+// What of that region does not shine: the flat end of a cylinder that the receiver sees.
+template<class CoreLight>
+std::optional<LightRegion> dark_part_of(const CoreLight& light, Vec center, Vec normal, double scale) {
+    if constexpr (std::is_same_v<CoreLight, shading::CylinderLight<double>>) {
+        const double along = dot(light.axis, center);
+        const double half = 0.5 * scale * light.length;
+        if (std::abs(along) <= half) return std::nullopt;
+        const Vec outward = light.axis * std::copysign(1.0, -along);
+        return LightRegion::disk(center + outward * half, outward, scale * light.radius, false, normal);
+    }
+    return std::nullopt;
 }
 
 // The light's luminance towards the receiver from the direction ω, over Light::luminance.
@@ -149,6 +167,7 @@ double bounded(double value) {
 
 struct Pose {
     LightRegion region;
+    std::optional<LightRegion> dark_part; // of the region
     Vec normal;
     double scale; // luminance, and the window of the range
 };
@@ -158,15 +177,18 @@ Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& norm
     const bool windowed = light.range && class_of(light.shape) != ShapeClass::sun;
     const double window = windowed ? shading::window_squared(shading::length(center), 1.0 / light.range->value) : 1.0;
     const LightRegion none = LightRegion::cap(vec(normal), 0.0, 1.0, vec(normal));
+    using Regions = std::pair<LightRegion, std::optional<LightRegion>>;
     const auto region = [&](const auto& core) {
-        const auto seen = shading::seen_from(core, center);
+        const auto seen = shading::exactly_seen_from(core, center);
         // Squares of scaled lengths neither overflow nor underflow.
         const double scale = simd::reciprocal_power_of_two(
             std::max(shading::largest_component(seen.to_center), shading::detail::largest_size(seen.light)));
-        return region_of(seen.light, seen.to_center * scale, vec(normal), scale);
+        return Regions(region_of(seen.light, seen.to_center * scale, vec(normal), scale),
+                       dark_part_of(seen.light, seen.to_center * scale, vec(normal), scale));
     };
-    return {with_core_light(light.shape, light.frame, light.color, none, region), vec(normal),
-            light.luminance.value * window};
+    auto [whole, dark_part] =
+        with_core_light(light.shape, light.frame, light.color, Regions(none, std::nullopt), region);
+    return {std::move(whole), std::move(dark_part), vec(normal), light.luminance.value * window};
 }
 
 // ∫ f(l) ⟨n·l⟩ over the light times its luminance; f is a function of the unit direction. `closed_lx` is the integral
@@ -184,8 +206,25 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges&
         return {bounded(value), bounded(error), 1, error <= relative_error * value};
     }
     const auto integrand = [&](Vec l) { return f(l) * std::max(dot(p.normal, l), 0.0); };
-    detail::PolarCubature<decltype(integrand)> cubature(p.region, peak, integrand, edges);
-    const CubatureResult result = cubature.integrate({relative_error, goal.most_evaluations});
+    const auto over = [&](const LightRegion& region, double within) {
+        detail::PolarCubature<decltype(integrand)> cubature(region, peak, integrand, edges);
+        return cubature.integrate({within, goal.most_evaluations});
+    };
+    CubatureResult result = over(p.region, relative_error);
+    if (p.dark_part && !p.dark_part->dark()) {
+        // The difference of two integrals: both need as many digits more as it loses.
+        CubatureResult dark = over(*p.dark_part, relative_error);
+        const double share = result.value > 0.0 ? (result.value - dark.value) / result.value : 1.0;
+        if (share < 0.5) {
+            const double finer = std::max(relative_error * std::max(0.5 * share, 1e-3), 1e-13);
+            result = over(p.region, finer);
+            dark = over(*p.dark_part, finer);
+        }
+        result.value = std::max(result.value - dark.value, 0.0);
+        result.error_estimate += dark.error_estimate;
+        result.evaluations += dark.evaluations;
+        result.converged = result.error_estimate <= relative_error * result.value;
+    }
     return {bounded(result.value * p.scale), bounded(result.error_estimate * p.scale), result.evaluations,
             result.converged};
 }

@@ -1,6 +1,7 @@
 // The irradiance of every area light by the approximations of other renderers, under one name for all.
 #pragma once
 
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/kernels.hpp>
@@ -34,6 +35,11 @@ GONIO_FORCE_INLINE S approximate(const TubeLight<S>& light, vec3<S> center, vec3
     if constexpr (method == Approximation::ue4)
         return irradiance_tube_ue4(center, light.axis, light.radius, light.length, n);
     return irradiance_tube_point(center, light.axis, light.radius, light.length, n);
+}
+
+template<class S, Approximation method>
+GONIO_FORCE_INLINE S approximate(const CylinderLight<S>& light, vec3<S> center, vec3<S> n) {
+    return irradiance_cylinder_point(center, light.axis, light.radius, light.length, n);
 }
 
 // A light that the methods treat as another light: an ellipse counts as the disk of its area.

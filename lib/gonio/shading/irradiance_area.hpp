@@ -1,6 +1,7 @@
 // Exact irradiance and illuminance of every area light, under one name for all.
 #pragma once
 
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
@@ -49,6 +50,11 @@ GONIO_FORCE_INLINE S irradiance(const TubeLight<S>& light, vec3<S> to_center, ve
 }
 
 template<class S>
+GONIO_FORCE_INLINE S irradiance(const CylinderLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return irradiance_cylinder(to_center, light.axis, light.radius, light.length, normal);
+}
+
+template<class S>
 GONIO_FORCE_INLINE Survey<S> survey(const SphereLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     return {irradiance_sphere(to_center, light.radius, normal), S(0) > S(1)};
 }
@@ -65,6 +71,11 @@ template<class S>
 GONIO_FORCE_INLINE auto survey(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     const auto tube = survey_tube(to_center, light.axis, light.radius, light.length, normal);
     return Survey<S>{tube.irradiance, simd::either(tube.hard, tube.end)};
+}
+// Hard where the horizon cuts it.
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey(const CylinderLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_cylinder_above(to_center, light.axis, light.radius, light.length, normal);
 }
 template<class S>
 GONIO_FORCE_INLINE auto survey_end(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {

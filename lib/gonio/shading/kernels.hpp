@@ -26,11 +26,11 @@ struct Surfaces {
 };
 
 struct LightConstants {
-    enum class Kind : std::uint8_t { punctual, sphere, disk, ellipse, rectangle, tube, sun };
+    enum class Kind : std::uint8_t { punctual, sphere, disk, ellipse, rectangle, tube, cylinder, sun };
 
     Kind kind = Kind::punctual;
     float position[3] = {}; // [m], of the centre; not read for a sun
-    float radius = 0.0F;    // sphere, disk, tube [m], ≥ 0
+    float radius = 0.0F;    // sphere, disk, tube, cylinder [m], ≥ 0
     // Area lights: luminance of the three channels [nt]; punctual: weights of a colour with luminance Y = 1. All ≥ 0.
     float color[3] = {1.0F, 1.0F, 1.0F};
     const float* intensity_cd = nullptr; // punctual: towards each surface point, ≥ 0, `count` of them; else not read
@@ -38,12 +38,12 @@ struct LightConstants {
     // The method `shade` uses for the glossy part of an area light; ignored for a punctual light.
     SpecularMethod specular_method = standard_specular_method;
     float angular_radius = 0.0F; // sun [rad], half of its diameter; in [0, π/2]
-    // The rest is read by flat lights (disk, ellipse, rectangle), the tube and (only the axis) the sun.
-    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: emission of flat lights and the sun; along the tube
+    // The rest is read by flat lights (disk, ellipse, rectangle), tube, cylinder and (only the axis) the sun.
+    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: emission of flat lights and the sun; along tubes
     float width_direction[3] = {1.0F, 0.0F, 0.0F}; // ellipse, rectangle: unit, perpendicular to the axis
     float width = 0.0F;                            // ellipse, rectangle [m], along width_direction
     float height = 0.0F;                           // ellipse, rectangle [m], across it
-    float length = 0.0F;                           // tube [m], of the cylinder without its hemispherical ends
+    float length = 0.0F;                           // cylinder, tube without its hemispherical ends [m]
     bool two_sided = false;                        // flat lights: emit to both sides, the luminance on each
 };
 

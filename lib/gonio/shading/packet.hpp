@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/lights.hpp>
@@ -70,6 +71,12 @@ GONIO_FORCE_INLINE void constants(const LightConstants& from, TubeLight<S>& to) 
         S(from.inverse_range)};
 }
 template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, CylinderLight<S>& to) {
+    to = {
+        broadcast<S>(from.position), broadcast<S>(from.color), broadcast<S>(from.axis), S(from.radius), S(from.length),
+        S(from.inverse_range)};
+}
+template<class S>
 GONIO_FORCE_INLINE void constants(const LightConstants& from, SunLight<S>& to) {
     const float radius = simd::min(simd::max(from.angular_radius, 0.0F), 1.57079637F);
     to = {broadcast<S>(from.axis) * S(-1), broadcast<S>(from.color), S(simd::sin(radius)),
@@ -97,6 +104,8 @@ GONIO_FORCE_INLINE void with_area_light(LightConstants::Kind kind, const Work& w
         return work(OfKind<RectangleLight>{});
     case LightConstants::Kind::tube:
         return work(OfKind<TubeLight>{});
+    case LightConstants::Kind::cylinder:
+        return work(OfKind<CylinderLight>{});
     }
 }
 

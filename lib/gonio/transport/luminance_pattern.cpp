@@ -285,6 +285,8 @@ void LuminancePattern::by_directions(const transport::Receivers& receivers, cons
             add_sphere(to_center, sphere->radius.value, node_rad_, found);
         else if (const auto* const tube = std::get_if<TubeShape>(&light_.shape))
             add_tube(to_center, light_.frame.x, tube->length.value, node_rad_, found);
+        else if (const auto* const cylinder = std::get_if<CylinderShape>(&light_.shape))
+            add_tube(to_center, light_.frame.x, cylinder->length.value, node_rad_, found);
         else
             found.add(to_center, 1.0);
     }

@@ -47,6 +47,12 @@ void take(const shading::TubeLight<double>& light, LightConstants& constants) {
     constants.radius = static_cast<float>(light.radius);
     constants.length = static_cast<float>(light.length);
 }
+void take(const shading::CylinderLight<double>& light, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::cylinder;
+    copy(glm::dvec3(light.axis.x, light.axis.y, light.axis.z), constants.axis);
+    constants.radius = static_cast<float>(light.radius);
+    constants.length = static_cast<float>(light.length);
+}
 
 } // namespace
 

@@ -256,6 +256,7 @@ std::vector<Light> studio() {
     add("disk", "disk:r=20cm,two-sided", "900lm");
     add("panel", "rect:w=60cm,h=30cm", "2000lm");
     add("tube", "tube:r=2cm,l=1.2m", "1500lm");
+    add("cylinder", "cylinder:r=10cm,l=30cm", "900lm");
     add("sun", "sun:angle=0.53deg", "500lx");
     add("door", "frustum:h=50deg,v=30deg", "600lm");
     add("ellipse", "ellipse:w=40cm,h=10cm", "700lm");
@@ -630,7 +631,7 @@ TEST(LightScene, CountsInTheSceneUnit) {
 
 TEST(LightScene, OfNothingIsRefused) {
     const std::vector<Light> lights = studio();
-    const std::vector<Light> sun{lights[5]};
+    const std::vector<Light> sun{lights[6]};
     EXPECT_EQ(light_scene(**find_target("raw"), sun, {"studio", "", Meters(1.0)}).error().failure,
               Failure::unsupported);
 }

@@ -33,6 +33,7 @@ constexpr std::array lights{
     Written{"ellipse", "ellipse:w=40cm,h=20cm", "3000nt"},
     Written{"rect", "rect:w=60cm,h=30cm", "2000lm"},
     Written{"tube", "tube:r=1.3cm,l=1.2m", "3000lm"},
+    Written{"cylinder", "cylinder:r=10cm,l=30cm", "900lm"},
     Written{"sun", "sun:angle=0.53deg", "80000lx"},
     Written{"profile", "ies:street.ies", ""},
 };
@@ -40,6 +41,7 @@ constexpr std::array lights{
 struct Way {
     std::string_view target;
     std::string_view ending;
+    bool photometric = false;
 };
 
 std::vector<Light> written_lights() {
@@ -85,6 +87,7 @@ TEST_P(InterchangeRoundTrip, KeepsLightsOrSaysWhatIsLost) {
     const std::vector<Light> before = written_lights();
     LightSceneOptions options;
     options.name = "scene";
+    options.photometric = GetParam().photometric;
     const Result<LightScene> written = light_scene(*target, before, options);
     ASSERT_TRUE(written.has_value());
     SceneReadOptions reading;
@@ -126,7 +129,9 @@ TEST_P(InterchangeRoundTrip, KeepsLightsOrSaysWhatIsLost) {
         const bool has_direction =
             !std::holds_alternative<PointShape>(light.shape) && !std::holds_alternative<SphereShape>(light.shape);
         if (has_direction) {
-            if (!std::holds_alternative<TubeShape>(light.shape)) { // which may turn about its axis
+            const bool is_round =
+                std::holds_alternative<TubeShape>(light.shape) || std::holds_alternative<CylinderShape>(light.shape);
+            if (!is_round) { // which may turn about its axis
                 EXPECT_LT(glm::distance(after->frame.z, light.frame.z), 1e-6);
             }
             if (!is_sun && !std::holds_alternative<DiskShape>(light.shape)) {
@@ -160,9 +165,11 @@ TEST_P(InterchangeRoundTrip, KeepsLightsOrSaysWhatIsLost) {
 
 INSTANTIATE_TEST_SUITE_P(Targets, InterchangeRoundTrip,
                          testing::Values(Way{"gltf", ".gltf"}, Way{"gltf", ".glb"}, Way{"pbrt", ".pbrt"},
-                                         Way{"mitsuba", ".xml"}, Way{"usd", ".usda"}, Way{"luxcore", ".scn"}),
+                                         Way{"mitsuba", ".xml"}, Way{"usd", ".usda"}, Way{"usd", ".usda", true},
+                                         Way{"luxcore", ".scn"}),
                          [](const testing::TestParamInfo<Way>& way) {
-                             return std::string(way.param.target) + "_" + std::string(way.param.ending.substr(1));
+                             return std::string(way.param.target) + "_" + std::string(way.param.ending.substr(1)) +
+                                    (way.param.photometric ? "_photometric" : "");
                          });
 
 } // namespace

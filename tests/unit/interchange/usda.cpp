@@ -1,4 +1,5 @@
 // UsdLux: values that follow from the schema, transformations, and broken files.
+#include <gonio/color/planckian.hpp>
 #include <gonio/light/light_color.hpp>
 
 #include "scenes.hpp"
@@ -73,8 +74,75 @@ TEST(InterchangeUsd, NormalizeDividesByTheWorldAreaInStageUnits) {
     EXPECT_NEAR(number_of(centimeters), 25.0, 1e-12);
     EXPECT_NEAR(std::get<RectShape>(*centimeters.shape).width.value, 0.02, 1e-15);
     EXPECT_TRUE(has_remark(centimeters, "SCN0201"));
-    // A cylinder of radius 1 and length 2 has 4π; the tube has caps, and the same flux.
-    EXPECT_NEAR(number_of(light_of("CylinderLight", scaled)), 100.0 / (4.0 * pi) / 2.0, 1e-12);
+    // A cylinder of radius 1 and length 2 has 4π.
+    const FoundLight cylinder = light_of("CylinderLight", scaled);
+    EXPECT_NEAR(number_of(cylinder), 100.0 / (4.0 * pi), 1e-12);
+    EXPECT_NEAR(std::get<CylinderShape>(*cylinder.shape).length.value, 2.0, 1e-12);
+}
+
+// The proposal for physical lighting.
+TEST(InterchangeUsd, PowerReplacesIntensity) {
+    const auto of = [](const std::string& type, const std::string& schema, const std::string& inputs) {
+        return light_of(type,
+                        "float inputs:intensity = 7\nfloat inputs:exposure = 3\nbool inputs:normalize = 1\n" + inputs,
+                        "1", "(prepend apiSchemas = [" + schema + "])");
+    };
+    const std::string area = "\"PhotometricAreaLightAPI\"";
+    for (const char* type : {"RectLight", "DiskLight", "SphereLight", "CylinderLight"}) {
+        const FoundLight light = of(type, area, "float photometric:power = 800\ncolor3f inputs:color = (4, 2, 0.5)\n");
+        EXPECT_EQ(number_of(light), 800.0) << type;
+        EXPECT_EQ(unit_of(light), "lm") << type;
+        EXPECT_NEAR(light.color.x / light.color.y, 2.0, 1e-12);
+        EXPECT_TRUE(light.remarks.empty());
+    }
+    EXPECT_EQ(number_of(of("RectLight", area, "")), 1600.0) << "its fallback";
+    const FoundLight both = of("RectLight", "\"RadiometricAreaLightAPI\", " + area,
+                               "float radiometric:power = 3\nfloat photometric:power = 90\n");
+    EXPECT_EQ(number_of(both), 90.0) << "photometric wins";
+    const FoundLight sun =
+        of("DistantLight", "\"PhotometricDistantLightAPI\"", "float photometric:illuminance = 8e4\n");
+    EXPECT_EQ(number_of(sun), 8e4);
+    EXPECT_EQ(unit_of(sun), "lx");
+    const FoundLight spot =
+        of("SphereLight", area + ", \"ShapingAPI\"",
+           "bool treatAsPoint = 1\nfloat inputs:shaping:cone:angle = 30\nfloat photometric:power = 50\n");
+    EXPECT_TRUE(std::holds_alternative<SpotShape>(*spot.shape));
+    EXPECT_EQ(number_of(spot), 50.0);
+    EXPECT_EQ(unit_of(spot), "lm");
+}
+
+TEST(InterchangeUsd, WattsHaveTheEfficacyOfTheirIlluminant) {
+    const auto of = [](const std::string& inputs, std::optional<double> lumens_per_watt = {}) {
+        SceneReadOptions options;
+        options.lumens_per_watt = lumens_per_watt;
+        const std::string text =
+            "#usda 1.0\n(\nmetersPerUnit = 1\nupAxis = \"Z\"\n)\ndef RectLight \"l\" (prepend apiSchemas = "
+            "[\"RadiometricAreaLightAPI\"])\n{\nfloat radiometric:power = 2\n" +
+            inputs + "}\n";
+        return test::scene_of(text, options).lights.at(0);
+    };
+    const FoundLight white = of("");
+    EXPECT_NEAR(number_of(white), 2.0 * 204.0, 2.0);
+    EXPECT_TRUE(has_remark(white, "SCN0201"));
+    const FoundLight warm = of("token physical:illuminant = \"blackbody\"\nfloat inputs:colorTemperature = 2700\n");
+    EXPECT_NEAR(number_of(warm), 2.0 * blackbody_efficacy(Kelvin(2700.0)).total_lm_per_w, 1e-9);
+    EXPECT_LT(glm::distance(warm.color, *parse_light_color("2700K")), 1e-12);
+    EXPECT_TRUE(has_remark(warm, "SCN0201"));
+    const FoundLight given = of("", 100.0);
+    EXPECT_EQ(number_of(given), 200.0);
+    EXPECT_TRUE(given.remarks.empty());
+    // Equal energy from 380 to 780 nm: 683 ∫V/400 nm.
+    std::string pairs;
+    for (int nm = 380; nm <= 780; nm += 5)
+        pairs += (pairs.empty() ? "(" : ", (") + std::to_string(nm) + ", 3)";
+    const FoundLight custom =
+        of("token physical:illuminant = \"custom\"\nfloat2[] physical:customIlluminant = [" + pairs + "]\n");
+    EXPECT_NEAR(number_of(custom), 2.0 * 683.0 * 106.857 / 400.0, 3.0);
+    EXPECT_GT(custom.color.x, custom.color.y) << "E is warmer than D65";
+    EXPECT_TRUE(custom.remarks.empty());
+    const FoundLight absent = of("token physical:illuminant = \"custom\"\n");
+    EXPECT_TRUE(has_remark(absent, "SCN0202"));
+    EXPECT_TRUE(has_remark(absent, "SCN0201"));
 }
 
 TEST(InterchangeUsd, ShapingMakesSpotsAndProfiles) {

@@ -4,6 +4,7 @@
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/photometry.hpp>
+#include <gonio/light/shape_traits.hpp>
 
 #include "../folders.hpp"
 
@@ -70,6 +71,8 @@ S evaluate(const Row& row) {
     if (row.form == "facing disk") return form::facing_disk(a, b);
     if (row.form == "facing rect") return form::facing_rectangle(a, b, c);
     if (row.form == "facing tube") return form::facing_tube(a, b, c);
+    if (row.form == "cylinder area") return form::cylinder_area(a, b);
+    if (row.form == "facing cylinder") return form::facing_cylinder(a, b, c);
     if (row.form == "luminance of ev") return luminance_of_ev(a);
     if (row.form == "ev of luminance") return ev_of_luminance(a);
     if (row.form == "illuminance of ev") return illuminance_of_ev(a);
@@ -146,7 +149,7 @@ TEST(ClosedForms, PreparedAndAloneAgree) {
     const std::string web = std::string("ies:") + test::source_folder + "/profiles/street.ies";
     for (const char* text :
          {"point", "spot:outer=40deg,inner=25deg", "frustum:h=60deg,v=40deg", "sphere:r=3cm", "disk:r=3cm",
-          "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m", web.c_str()}) {
+          "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m", "cylinder:r=1cm,l=1m", web.c_str()}) {
         Result<Shape> shape = parse_shape(text);
         ASSERT_TRUE(shape);
         Diagnostics ignored;

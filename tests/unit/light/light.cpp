@@ -127,7 +127,7 @@ TEST(Light, EmitsTheFluxThatItWasGiven) {
     for (const char* text : {"point", "sphere:r=3cm", "disk:r=10cm", "disk:r=10cm,two-sided", "ellipse:w=60cm,h=20cm",
                              "rect:w=60cm,h=30cm", "rect:w=60cm,h=30cm,two-sided"})
         EXPECT_NEAR(emitted_flux(resolved(test::shape(text), "800lm"), 2, {pi / 2}), 800.0, 1e-10) << text;
-    for (const char* text : {"tube:r=1.3cm,l=1.2m", "tube:r=50cm,l=1mm"})
+    for (const char* text : {"tube:r=1.3cm,l=1.2m", "tube:r=50cm,l=1mm", "cylinder:r=2cm,l=30cm"})
         EXPECT_NEAR(emitted_flux(resolved(test::shape(text), "800lm"), 0, {pi / 2}), 800.0, 1e-10) << text;
     for (const char* falloff :
          {"frostbite", "hard", "linear-cos", "smoothstep-cos", "linear-angle", "smoothstep-angle"}) {

@@ -69,7 +69,7 @@ TEST(MaskedFlux, AConstantMaskOnAShapeWithASizeChangesNothing) {
     for (const Web& mask : masks)
         for (const char* text :
              {"sphere:r=10cm", "disk:r=10cm", "disk:r=10cm,two-sided", "ellipse:w=60cm,h=10cm", "rect:w=60cm,h=30cm",
-              "rect:w=60cm,h=30cm,two-sided", "tube:r=1cm,l=1m", "tube:r=1m,l=1cm"})
+              "rect:w=60cm,h=30cm,two-sided", "tube:r=1cm,l=1m", "tube:r=1m,l=1cm", "cylinder:r=10cm,l=30cm"})
             EXPECT_NEAR(flux_of(text, mask), unmasked(text), 1e-7 * unmasked(text)) << text;
 }
 

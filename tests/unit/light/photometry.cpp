@@ -106,8 +106,8 @@ TEST(Photometry, WhatHasNoMeaningIsRefused) {
     EXPECT_TRUE(refused(test::shape("sphere:r=50cm"), "0lm", "ev"));
     EXPECT_FALSE(refused(test::shape("sphere:r=50cm"), "-3ev", "nt"));
     // Without a distance, or with one inside the shape.
-    for (const char* text :
-         {"point", "spot:outer=40deg", "disk:r=1m", "ellipse:w=1m,h=2m", "rect:w=1m,h=1m", "tube:r=1cm,l=1m"}) {
+    for (const char* text : {"point", "spot:outer=40deg", "disk:r=1m", "ellipse:w=1m,h=2m", "rect:w=1m,h=1m",
+                             "tube:r=1cm,l=1m", "cylinder:r=1cm,l=1m"}) {
         EXPECT_TRUE(refused(test::shape(text), "1lm", "lx")) << text;
         EXPECT_TRUE(refused(test::shape(text), "1lx", "lm")) << text;
         EXPECT_FALSE(refused(test::shape(text), "1lx@1m", "lm")) << text;
@@ -153,9 +153,9 @@ std::vector<Convertible> convertibles() {
     all.push_back({test::masked(test::shape("spot:outer=40deg"),
                                 test::random_web(Symmetry::none, test::steps(0, 360, 13), test::steps(0, 90, 19), 8)),
                    punctual});
-    for (const char* text :
-         {"sphere:r=3cm", "sphere:r=1mm", "disk:r=10cm", "disk:r=1m,two-sided", "ellipse:w=60cm,h=10cm",
-          "rect:w=60cm,h=30cm", "rect:w=2mm,h=90cm,two-sided", "tube:r=1.3cm,l=1.2m", "tube:r=50cm,l=1mm"})
+    for (const char* text : {"sphere:r=3cm", "sphere:r=1mm", "disk:r=10cm", "disk:r=1m,two-sided",
+                             "ellipse:w=60cm,h=10cm", "rect:w=60cm,h=30cm", "rect:w=2mm,h=90cm,two-sided",
+                             "tube:r=1.3cm,l=1.2m", "tube:r=50cm,l=1mm", "cylinder:r=10cm,l=30cm"})
         all.push_back({test::shape(text), area});
     for (const char* text : {"sun:angle=0.53deg", "sun:angle=180deg"})
         all.push_back({test::shape(text), {"lx", "fc", "evlx", "nt", "fL", "ev"}});
@@ -213,6 +213,9 @@ TEST(Photometry, AreaShapesByTheirArea) {
     near(test::convert(test::shape("rect:w=60cm,h=30cm,two-sided"), "565.48667764616278292lm", "nt"), 500.0);
     // π (2π r l + 4π r²) and 2 r l + π r² of r = 1.3 cm, l = 1.2 m
     near(test::convert(test::shape("tube:r=1.3cm,l=1.2m"), "1000nt", "lm"), 314.60350988912440531);
+    near(test::convert(test::shape("cylinder:r=10cm,l=30cm"), "1000nt", "lm"), pi * 2.0 * pi * 0.1 * 0.3 * 1000.0);
+    near(test::convert(test::shape("cylinder:r=10cm,l=30cm"), "1000nt", "cd"), 60.0);
+    near(test::convert(test::shape("cylinder:r=10cm,l=30cm"), "60cd", "lm"), 60.0 * pi * pi);
     near(test::convert(test::shape("tube:r=1.3cm,l=1.2m"), "1000nt", "cd"), 31.730929158456675057);
     // π sin²(0.265°)
     near(test::convert(test::shape("sun:angle=0.53deg"), "1e9nt", "lx"), 67203.711532951917862);

@@ -109,6 +109,7 @@ TEST(Policy, NumbersRoundTrip) {
                                   "ellipse:w=60cm,h=30cm",
                                   "rect:w=60cm,h=30cm",
                                   "tube:r=1.3cm,l=1.2m",
+                                  "cylinder:r=1.3cm,l=1.2m",
                                   "sun:angle=0.53deg"};
     const char* const values[] = {"800lm", "1200cd", "5000nt", "12ev", "300lx", "7evlx", "60W@683"};
     int own = 0;
@@ -194,7 +195,8 @@ TEST(DistanceOf, IsTheInverseOfTheIlluminance) {
                                   "ellipse:w=50cm,h=20cm",
                                   "rect:w=60cm,h=3m",
                                   "tube:r=1.3cm,l=1.2m",
-                                  "tube:r=40cm,l=1mm"};
+                                  "tube:r=40cm,l=1mm",
+                                  "cylinder:r=40cm,l=30cm"};
     for (const char* text : shapes) {
         const Shape made = shape(text);
         const Emission emission = *emission_of(made, *parse_photometric_value("800lm"));

@@ -109,6 +109,37 @@ def facing_tube(r, l, d):
     return arcs + cap
 
 
+def cylinder_area(r, l):
+    return 2 * r * l
+
+
+def facing_cylinder(r, l, d):
+    """The integral over the side of cos cos' / distance^2, along the axis in closed form, across it in thirds.
+
+    At the angle t about the axis, from the middle, the distance of a line of the side is rho, its normal has the
+    cosine (d cos t - r)/distance with the way to the receiver, and the receiver's is (d - r cos t)/distance.
+    """
+    z = l / 2
+    most = acos(r / d)
+    gap = d - r
+
+    def line(t):
+        rho2 = gap**2 + 4 * d * r * sin(t / 2) ** 2
+        rho = sqrt(rho2)
+        along = z / (rho2 * (rho2 + z * z)) + atan(z / rho) / rho**3
+        return 2 * r * (gap - 2 * d * sin(t / 2) ** 2) * (gap + 2 * r * sin(t / 2) ** 2) * along
+
+    if most == 0:
+        return pi
+    # The peak is as wide as the distance from the surface.
+    places = [mpf(0)]
+    width = gap / r
+    while width < most:
+        places.append(width)
+        width *= 2
+    return quad(line, places + [most])
+
+
 def luminance_of_ev(ev):
     return mpf(2) ** (ev - 3)
 
@@ -157,6 +188,7 @@ def cases():
         yield "disk area", disk_area, (r,)
         yield "tube area", tube_area, (r, l)
         yield "tube solid angle", tube_solid_angle, (r, l)
+        yield "cylinder area", cylinder_area, (r, l)
         yield "sun", sun, (spread(1e-6, 3.14159),)
     for k in range(60):
         r = spread(1e-6, 1e6)
@@ -172,6 +204,10 @@ def cases():
         if k % 5 == 0:
             yield "facing tube", facing_tube, (r, l, r)
             yield "facing sphere", facing_sphere, (r, r)
+        if k < 30:
+            yield "facing cylinder", facing_cylinder, (r, l, beyond)
+        if k % 20 == 0:
+            yield "facing cylinder", facing_cylinder, (r, l, r)
     for _ in range(30):
         yield "luminance of ev", luminance_of_ev, (single(rng.uniform(-30, 40)),)
         yield "illuminance of ev", illuminance_of_ev, (single(rng.uniform(-30, 40)),)

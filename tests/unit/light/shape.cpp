@@ -50,9 +50,9 @@ TEST(Shape, EveryKindIsListedAndParsed) {
     std::set<std::string_view> listed;
     for (const ShapeKind& kind : shape_kinds())
         listed.insert(kind.kind);
-    for (const char* text :
-         {"point", "spot:outer=40deg", "frustum:h=60deg,v=40deg", "ies:lamp.ies", "sphere:r=3cm", "disk:r=10cm",
-          "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1.3cm,l=1.2m", "sun:angle=0.53deg"})
+    for (const char* text : {"point", "spot:outer=40deg", "frustum:h=60deg,v=40deg", "ies:lamp.ies", "sphere:r=3cm",
+                             "disk:r=10cm", "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1.3cm,l=1.2m",
+                             "cylinder:r=10cm,l=30cm", "sun:angle=0.53deg"})
         EXPECT_EQ(listed.erase(kind_of(test::shape(text))), 1U) << text;
     EXPECT_TRUE(listed.empty());
 }
@@ -121,6 +121,8 @@ TEST(Shape, WhatMakesNoShapeIsRefused) {
                              "rect:w=1m,h=-1m",
                              "tube:r=1cm",
                              "tube:r=1cm,l=0m",
+                             "cylinder:r=1cm",
+                             "cylinder:r=0m,l=1m",
                              "sun",
                              "sun:angle=0deg",
                              "sun:angle=181deg",

@@ -97,4 +97,19 @@ TEST(MeasureSpecular, LtcIsTheMostAccurateMethodOfEveryShape) {
     }
 }
 
+// The rectangle that stands for a cylinder in highlights costs no more than that.
+TEST(MeasureSpecular, ACylinderIsNearlyARectangle) {
+    const auto cases = measure::specular_cases(Kind::cylinder, 120, 3);
+    const auto truth = measure::specular_truth(cases);
+    for (const auto& method : measure::specular_methods(Kind::cylinder)) {
+        if (method.name != "ltc") continue;
+        const auto values = measure::evaluated(method, cases);
+        for (const double value : values)
+            ASSERT_TRUE(std::isfinite(value) && value >= 0.0) << method.precision;
+        const auto errors = measure::compare(values, truth, 1e-3);
+        EXPECT_LT(errors.relative.median, 0.08) << method.precision;
+        RecordProperty("median", std::to_string(errors.relative.median));
+    }
+}
+
 } // namespace

@@ -33,8 +33,8 @@ constexpr std::array materials{"lambert:albedo=rgb(0.8,0.5,0.2)",
                                "blinn:albedo=rgb(0.8,0.5,0.2),smoothness=0.3,wet=0.5",
                                "ggx:f0=rgb(0.9,0.5,0.1),alpha=0.3",
                                "kulla-conty:f0=rgb(0.9,0.5,0.1),alpha=0.5"};
-constexpr std::array kinds{LightKind::punctual, LightKind::sphere,    LightKind::disk,
-                           LightKind::ellipse,  LightKind::rectangle, LightKind::tube};
+constexpr std::array kinds{LightKind::punctual,  LightKind::sphere, LightKind::disk,    LightKind::ellipse,
+                           LightKind::rectangle, LightKind::tube,   LightKind::cylinder};
 
 // Surface points and the parts of them that the kernels read.
 struct Points {
@@ -99,6 +99,8 @@ Vec truth_of(const LightConstants& light, const Points& points, std::size_t i, c
                 return shaded<shading::RectangleLight<double>>(light, points, i, core);
             case LightKind::tube:
                 return shaded<shading::TubeLight<double>>(light, points, i, core);
+            case LightKind::cylinder:
+                return shaded<shading::CylinderLight<double>>(light, points, i, core);
             default:
                 return shaded<shading::PunctualLight<double>>(light, points, i, core);
             }

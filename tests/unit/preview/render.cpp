@@ -59,7 +59,7 @@ TEST(ThreadsPreview, PicturesShowWhatProbesSay) {
     options.height = 16;
     const CameraRays rays(stage.camera, options.width, options.height);
     for (const char* shape : {"spot:outer=40deg,inner=10deg", "frustum:h=50deg,v=30deg", "sphere:r=50cm", "disk:r=80cm",
-                              "ellipse:w=2m,h=40cm", "rect:w=2m,h=30cm", "tube:r=10cm,l=2m"}) {
+                              "ellipse:w=2m,h=40cm", "rect:w=2m,h=30cm", "tube:r=10cm,l=2m", "cylinder:r=10cm,l=2m"}) {
         const Light light = light_of(shape, "1000cd", {0.3, -0.2, 6.0});
         const Image image = picture_of(stage, light, options);
         std::vector<Receiver> receivers;
@@ -266,8 +266,8 @@ TEST(ThreadsPreview, IlluminanceIsWhatAMatteSurfaceReceives) {
     options.width = 24;
     options.height = 16;
     options.illuminance = true;
-    for (const char* shape :
-         {"point", "sphere:r=20cm", "disk:r=20cm", "ellipse:w=60cm,h=20cm", "rect:w=60cm,h=30cm", "tube:r=2cm,l=1m"}) {
+    for (const char* shape : {"point", "sphere:r=20cm", "disk:r=20cm", "ellipse:w=60cm,h=20cm", "rect:w=60cm,h=30cm",
+                              "tube:r=2cm,l=1m", "cylinder:r=2cm,l=1m"}) {
         const Light light = light_of(shape, "800lm", {0.3, -0.2, 6.0});
         const Rendering rendering = render(stage, {&light, 1}, stage.camera, options).value();
         for (std::size_t i = 0; i < rendering.illuminance_lx.pixels.size(); ++i) {
@@ -292,7 +292,7 @@ TEST(ThreadsPreview, EveryMethodShowsWhatItsProbesSay) {
             receivers.push_back({first_hit(stage, rays.ray(x + 0.5, y + 0.5))->position, {0, 0, 1}});
     for (const char* shape :
          {"point", "spot:outer=40deg,inner=10deg", "sphere:r=50cm", "disk:r=80cm", "disk:r=80cm,two-sided",
-          "ellipse:w=2m,h=40cm", "rect:w=2m,h=30cm", "tube:r=10cm,l=2m", "sun:angle=3deg"})
+          "ellipse:w=2m,h=40cm", "rect:w=2m,h=30cm", "tube:r=10cm,l=2m", "cylinder:r=10cm,l=2m", "sun:angle=3deg"})
         for (const IrradianceMethodName& name : irradiance_methods()) {
             const bool is_sun = std::string_view(shape).starts_with("sun");
             const Light light = light_of(shape, is_sun ? "1000lx" : "1000cd", {0.3, -0.2, 6.0});

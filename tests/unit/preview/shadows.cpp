@@ -6,6 +6,7 @@
 #include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
+#include <gonio/shading/sample_cylinder.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_tube.hpp>
 #include <gonio/sky/sky.hpp>
@@ -85,7 +86,7 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         EXPECT_GT(count, 50);
 }
 
-// By the points of a grid on the ball's surface and in it.
+// By directions to points of the ball's surface.
 TEST(ShadowLine, ABodyIsApartFromWhatItDoesNotTouch) {
     Numbers numbers(6);
     std::array<int, 2> found{};
@@ -105,13 +106,14 @@ TEST(ShadowLine, ABodyIsApartFromWhatItDoesNotTouch) {
     EXPECT_GT(found[1], 200);
 }
 
-const std::array<Light, 6>& lights() {
+const std::array<Light, 7>& lights() {
     static const std::array made{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
                                  light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
                                  light_of("ellipse:w=1.2m,h=30cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
                                  light_of("rect:w=1m,h=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
                                  light_of("rect:w=20cm,h=2m", "1000cd", {0.1, -0.2, 2.4}),
-                                 light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};
+                                 light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0}),
+                                 light_of("cylinder:r=20cm,l=60cm", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};
     return made;
 }
 
@@ -173,6 +175,8 @@ double counted_share(const Stage& stage, std::size_t own, const Light& light, co
     if (const auto* s = std::get_if<RectShape>(&light.shape))
         return count(
             shading::RectangleSampler<double>(center, axis, vec(light.frame.x), s->width.value, s->height.value));
+    if (const auto* s = std::get_if<CylinderShape>(&light.shape))
+        return count(shading::CylinderSampler<double>(center, vec(light.frame.x), s->radius.value, s->length.value));
     const auto& s = std::get<TubeShape>(light.shape);
     return count(shading::TubeSampler<double>(center, vec(light.frame.x), s.radius.value, s.length.value));
 }

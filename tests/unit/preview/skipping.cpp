@@ -67,9 +67,10 @@ constexpr std::array symmetries{Symmetry::axial, Symmetry::quadrant, Symmetry::b
 // Every kind of light once, some with ranges short enough not to reach everything.
 std::vector<LightDescription> every_light() {
     std::vector<LightDescription> lights;
-    for (const char* shape : {"point", "spot:outer=40deg,inner=10deg", "spot:outer=25deg,falloff=hard",
-                              "frustum:h=50deg,v=30deg", "sphere:r=20cm", "disk:r=30cm", "disk:r=30cm,two-sided",
-                              "ellipse:w=80cm,h=20cm", "rect:w=60cm,h=30cm", "tube:r=5cm,l=1m"}) {
+    for (const char* shape :
+         {"point", "spot:outer=40deg,inner=10deg", "spot:outer=25deg,falloff=hard", "frustum:h=50deg,v=30deg",
+          "sphere:r=20cm", "disk:r=30cm", "disk:r=30cm,two-sided", "ellipse:w=80cm,h=20cm", "rect:w=60cm,h=30cm",
+          "tube:r=5cm,l=1m", "cylinder:r=5cm,l=1m"}) {
         lights.push_back(described(shape, "800lm"));
         lights.push_back(described(shape, "800lm"));
         lights.back().range = Meters(1.5);

@@ -68,6 +68,24 @@ TEST(Emitter, TubesAreMetWhereMarchingMeetsThem) {
     EXPECT_GT(met, 50);
 }
 
+TEST(Emitter, CylindersAreMetOnTheirOutside) {
+    const Light cylinder = sideways("cylinder:r=20cm,l=1m");
+    const glm::dvec3 axis = cylinder.frame.x;
+    const glm::dvec3 middle = cylinder.frame.origin;
+    const glm::dvec3 across = cylinder.frame.z;
+    const auto met = [&](const glm::dvec3& origin, const glm::dvec3& toward) {
+        return distance_to(cylinder, {origin, glm::normalize(toward - origin)});
+    };
+    EXPECT_NEAR(*met(middle + 3.0 * across, middle), 2.8, 1e-14);
+    EXPECT_NEAR(*met(middle + 3.0 * across, middle + 0.49 * axis), 2.8 / 3.0 * std::hypot(3.0, 0.49), 1e-14);
+    EXPECT_FALSE(met(middle + 3.0 * across, middle + 0.6 * axis)) << "beside it";
+    EXPECT_FALSE(met(middle + 3.0 * axis, middle)) << "into its open end";
+    EXPECT_FALSE(met(middle, middle + across)) << "from inside";
+    EXPECT_FALSE(met(middle + 3.0 * across, middle + 5.0 * across)) << "away from it";
+    EXPECT_NEAR(reach_along(cylinder, axis), 0.5, 1e-15);
+    EXPECT_NEAR(reach_along(cylinder, across), 0.2, 1e-15);
+}
+
 TEST(Emitter, PunctualLightsAndTheSunHaveNoSurface) {
     Diagnostics diagnostics;
     LightDescription description;

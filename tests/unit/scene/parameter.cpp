@@ -55,6 +55,7 @@ TEST(Parameter, OfAShapeIsThatOfItsGrammar) {
                           Case{"rect:w=1m,h=2m", "h", "33cm", "rect:w=1m,h=33cm"},
                           Case{"rect:w=1m,h=2m", "size", "2", "rect:w=2m,h=4m"},
                           Case{"tube:r=1cm,l=2m", "length", "33cm", "tube:r=1cm,l=33cm"},
+                          Case{"cylinder:r=1cm,l=2m", "length", "33cm", "cylinder:r=1cm,l=33cm"},
                           Case{"tube:r=1cm,l=2m", "radius", "2cm", "tube:r=2cm,l=2m"},
                           Case{"sun:angle=0.5deg", "angle", "3deg", "sun:angle=3deg"},
                           Case{"frustum:h=50deg,v=30deg", "h", "20deg", "frustum:h=20deg,v=30deg"},
@@ -216,7 +217,7 @@ TEST(Parameter, ListsAreWhatThereIs) {
     std::set<std::string_view> met;
     for (const char* shape :
          {"point", "spot:outer=30deg", "frustum:h=30deg,v=20deg", "sphere:r=3cm", "disk:r=3cm", "ellipse:w=3cm,h=2cm",
-          "rect:w=1m,h=1m", "tube:r=3cm,l=1m", "sun:angle=1deg", "ies:lamp.ies"})
+          "rect:w=1m,h=1m", "tube:r=3cm,l=1m", "cylinder:r=3cm,l=1m", "sun:angle=1deg", "ies:lamp.ies"})
         for (const std::string_view name : parameters_of(described(shape)))
             met.insert(name);
     EXPECT_EQ(met.size(), light_parameters().size());

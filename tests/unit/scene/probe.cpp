@@ -3,6 +3,7 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/scene/reference.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
 
 #include "../reference_rows.hpp"
@@ -132,6 +133,25 @@ TEST(Probe, PlaneEmittersAgreeWithTheSumOverTheirArea) {
     }
 }
 
+// Beyond its end a receiver sees past the flat end, which is dark.
+TEST(Probe, ReferenceOfACylinderIsTheExactForm) {
+    LightDescription description;
+    description.shape = parse_shape("cylinder:r=10cm,l=30cm").value();
+    description.intensity = parse_photometric_value("900lm").value();
+    description.position = {0.0, 0.0, 1.0};
+    Diagnostics diagnostics;
+    const Light light = resolve_light(description, diagnostics).value();
+    for (const glm::dvec3 at : {glm::dvec3(0.0, 0.0, 0.0), glm::dvec3(0.3, 0.2, 0.9), glm::dvec3(0.6, 0.11, 0.97),
+                                glm::dvec3(-2.0, 0.5, 0.8), glm::dvec3(1.0, 0.09, 0.99)}) {
+        for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), glm::dvec3(-0.6, 0, 0.8), glm::dvec3(0, -1, 0)}) {
+            const Receiver receiver{at, normal};
+            const double exact = probe({&light, 1}, {&receiver, 1}).value().illuminance_lx.front();
+            const ReferenceValue reference = reference_illuminance(light, at, normal, {1e-8, 4'000'000});
+            EXPECT_NEAR(reference.value, exact, 1e-6 * exact + 1e-9) << at.x << ' ' << normal.x;
+        }
+    }
+}
+
 // Poses of every area shape to 17 digits, each placed as a light: checks that widths and axes have the right
 // directions.
 TEST(Probe, AgreesWithTheReference) {
@@ -179,8 +199,8 @@ TEST(Probe, TwoSidedShapesLightBothSides) {
 }
 
 TEST(Probe, EveryShapeIsAPointFromAfar) {
-    for (const char* const shape :
-         {"sphere:r=10cm", "disk:r=10cm", "ellipse:w=20cm,h=8cm", "rect:w=20cm,h=10cm", "tube:r=2cm,l=30cm"}) {
+    for (const char* const shape : {"sphere:r=10cm", "disk:r=10cm", "ellipse:w=20cm,h=8cm", "rect:w=20cm,h=10cm",
+                                    "tube:r=2cm,l=30cm", "cylinder:r=2cm,l=30cm"}) {
         const Light light = make(shape, "800lm", {0, 0, 0});
         const Receiver receiver{{30.0, 10.0, -40.0}, glm::normalize(glm::dvec3(-3, 1, 2))};
         const double exact = lux(light, receiver);
@@ -279,7 +299,7 @@ TEST(Probe, NamedMethodsAgreeWhereTheyMust) {
         return probe({&light, 1}, {&receiver, 1}, options).value().luminance.at(0);
     };
     for (const char* const shape : {"sphere:r=3mm", "disk:r=3mm", "ellipse:w=6mm,h=2mm", "rect:w=6mm,h=4mm",
-                                    "tube:r=1mm,l=5mm", "sun:angle=0.1deg"}) {
+                                    "tube:r=1mm,l=5mm", "cylinder:r=1mm,l=5mm", "sun:angle=0.1deg"}) {
         const bool sun = std::string_view(shape).starts_with("sun");
         Light light = make(shape, sun ? "900lx" : "900lm", {1.3, -0.4, 2.0}, {-1.3, 0.4, -2.0});
         light.color = parse_light_color("rgb(1,0.5,0.2)").value();
@@ -356,7 +376,7 @@ TEST(Probe, ResultsAreFiniteEverywhere) {
     for (const char* const shape :
          {"point", "spot:outer=90deg", "frustum:h=60deg,v=40deg", "sphere:r=1km", "sphere:r=0.000000001m", "disk:r=1m",
           "ellipse:w=3m,h=1m", "rect:w=1m,h=0.000000001m", "rect:w=1000km,h=1km,two-sided", "tube:r=1mm,l=1000km",
-          "tube:r=1m,l=1m", "sun:angle=90deg"}) {
+          "tube:r=1m,l=1m", "cylinder:r=1m,l=1m", "sun:angle=90deg"}) {
         const bool sun = std::string_view(shape).starts_with("sun");
         const bool tiny = std::string_view(shape).find("0.000000001m") != std::string_view::npos;
         const char* const most = sun ? "1e30lx" : tiny ? "1e29nt" : "1e30cd";
@@ -382,7 +402,8 @@ TEST(Probe, ParallelSumsDoNotDependOnThreads) {
     std::mt19937_64 random(3);
     const auto coordinate = [&] { return static_cast<double>(random() % 2001) / 100.0 - 10.0; };
     const std::vector<const char*> shapes{
-        "point", "sphere:r=10cm", "disk:r=10cm", "ellipse:w=60cm,h=20cm", "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m"};
+        "point",           "sphere:r=10cm",      "disk:r=10cm", "ellipse:w=60cm,h=20cm", "rect:w=60cm,h=30cm",
+        "tube:r=1cm,l=1m", "cylinder:r=1cm,l=1m"};
     for (std::size_t i = 0; i < 10000; ++i)
         lights.push_back(make(shapes[i % shapes.size()], "800lm", {coordinate(), coordinate(), 3.0}));
     std::vector<Receiver> receivers;

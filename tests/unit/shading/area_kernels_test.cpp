@@ -42,6 +42,7 @@ std::string name_of(Kind kind) {
     return kind == Kind::disk        ? "disk"
            : kind == Kind::ellipse   ? "ellipse"
            : kind == Kind::rectangle ? "rectangle"
+           : kind == Kind::cylinder  ? "cylinder"
                                      : "tube";
 }
 
@@ -58,14 +59,13 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Sets, AreaKernels,
-                         testing::Combine(testing::Values(Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube),
-                                          testing::ValuesIn(gonio::simd::available_sets().begin(),
-                                                            gonio::simd::available_sets().end())),
-                         [](const auto& each) {
-                             return name_of(std::get<0>(each.param)) + "_" +
-                                    gonio::simd::to_text(std::get<1>(each.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Sets, AreaKernels,
+    testing::Combine(testing::Values(Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube, Kind::cylinder),
+                     testing::ValuesIn(gonio::simd::available_sets().begin(), gonio::simd::available_sets().end())),
+    [](const auto& each) {
+        return name_of(std::get<0>(each.param)) + "_" + gonio::simd::to_text(std::get<1>(each.param));
+    });
 
 TEST_P(AreaKernels, FloatWithinItsBarOfDouble) {
     const AreaCases cases = gonio::measure::area_cases(kind, scaled(200'000), 21);
@@ -117,7 +117,7 @@ TEST_P(AreaKernels, TwoSidedGivesEachSideWhatOneSideGives) {
     const std::vector<float> turned = run(cases);
     for (std::size_t i = 0; i < cases.size(); ++i)
         ASSERT_NEAR(turned[i], front[i], 2e-5F * front[i] + 4e-6F) << i;
-    if (kind == Kind::tube) return; // has no sides, so the option is ignored
+    if (kind == Kind::tube || kind == Kind::cylinder) return; // has no sides, so the option is ignored
     for (LightConstants& light : cases.lights)
         light.two_sided = false;
     for (const float lx : run(cases))
@@ -174,9 +174,10 @@ TEST_P(AreaKernels, ReceiversOnTheLightAmongOthers) {
         const vec3<double> aside = normalized(cross(axis, {any.x, any.y, any.z}));
         const double radius = light.radius;
         const double smaller = 0.5 * std::min<double>(light.width, light.height);
-        const double out = kind == Kind::tube ? radius : 0.9 * (kind == Kind::disk ? radius : smaller);
-        const vec3<double> at = kind == Kind::tube ? aside * out + axis * (0.3 * double{light.length}) : aside * out;
-        const vec3<double> toward = kind == Kind::tube ? aside * -1.0 : axis * -1.0;
+        const bool is_round = kind == Kind::tube || kind == Kind::cylinder;
+        const double out = is_round ? radius : 0.9 * (kind == Kind::disk ? radius : smaller);
+        const vec3<double> at = is_round ? aside * out + axis * (0.3 * double{light.length}) : aside * out;
+        const vec3<double> toward = is_round ? aside * -1.0 : axis * -1.0;
         const double position[3] = {at.x, at.y, at.z};
         const double normal[3] = {toward.x, toward.y, toward.z};
         for (std::size_t k = 0; k < 3; ++k) {
@@ -298,6 +299,10 @@ TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
             if (kind == Kind::tube)
                 truth =
                     shade(point, TubeLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite).x;
+            if (kind == Kind::cylinder)
+                truth =
+                    shade(point, CylinderLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite)
+                        .x;
             // The representative point jumps where the mirrored ray runs along the plane: a few points may differ.
             if (std::fabs(static_cast<double>(out[0][i]) - truth) > 1e-3 * truth + 1e-6) ++off;
         }
@@ -328,6 +333,7 @@ TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
     if (kind == Kind::ellipse) intensity = 0.25 * std::numbers::pi * 0.8;
     if (kind == Kind::rectangle) intensity = 0.8;
     if (kind == Kind::tube) intensity = std::numbers::pi + 2.0 * 0.6;
+    if (kind == Kind::cylinder) intensity = 2.0 * 0.6;
     const float candela[1] = {static_cast<float>(intensity)};
     LightConstants punctual;
     punctual.position[0] = -3.0F;
@@ -346,7 +352,7 @@ TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
 
 TEST(AreaMethods, ErrorsOfEachAreWhatTheyAreKnownFor) {
     using namespace gonio::measure;
-    for (const Kind kind : {Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube}) {
+    for (const Kind kind : {Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube, Kind::cylinder}) {
         const AreaCases all = area_cases(kind, 2000, 1);
         const AreaCases far = area_cases_of(kind, Stratum::far, 512, 1);
         const AreaCases straddling = area_cases_of(kind, Stratum::straddling, 512, 1);

@@ -1,7 +1,9 @@
 // Samplers of lights: χ² against their densities, and densities against solid angles computed differently.
+#include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
+#include <gonio/shading/sample_cylinder.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_rectangle.hpp>
 #include <gonio/shading/sample_sphere.hpp>
@@ -92,6 +94,21 @@ Sampler tube(const std::string& name, Vec center, Vec axis, double r, double l) 
     });
 }
 
+Sampler cylinder(const std::string& name, Vec center, Vec axis, double r, double l) {
+    const double reach = std::atan2(0.5 * l + r, std::max(length(center) - 0.5 * l - r, 0.05));
+    return wrap(name, center, reach, CylinderSampler<double>(center, axis, r, l), [=](Vec d) {
+        const Vec across = d - axis * dot(axis, d);
+        const Vec to_line = center - axis * dot(axis, center);
+        const double speed2 = dot(across, across);
+        const double closest = dot(to_line, across) / speed2;
+        const Vec miss = to_line - across * closest;
+        const double half2 = (r * r - dot(miss, miss)) / speed2;
+        if (half2 < 0.0) return false;
+        const double t = closest - std::sqrt(half2);
+        return t > 0.0 && std::abs(t * dot(d, axis) - dot(center, axis)) <= 0.5 * l;
+    });
+}
+
 std::vector<Sampler> samplers() {
     const Vec m = poses::unit({0.3, -0.5, -0.8});
     const Vec b = poses::unit(cross(m, Vec{0.2, 1.0, 0.1}));
@@ -118,7 +135,13 @@ std::vector<Sampler> samplers() {
             tube("fat tube", {-0.2, 0.4, 1.0}, a, 0.6, 0.3),
             tube("far tube", {-20.0, 40.0, 100.0}, a, 0.2, 1.5),
             tube("tube end-on", a * 2.0 + Vec{0.05, 0.0, 0.0}, a, 0.3, 1.5),
-            tube("inside a tube", {0.1, 0.1, 0.0}, a, 0.5, 1.5)};
+            tube("inside a tube", {0.1, 0.1, 0.0}, a, 0.5, 1.5),
+            cylinder("cylinder", {-0.2, 0.4, 1.0}, a, 0.2, 1.5),
+            cylinder("thin cylinder", {-0.2, 0.4, 1.0}, a, 0.04, 1.5),
+            cylinder("fat cylinder", {-0.2, 0.4, 1.0}, a, 0.6, 0.3),
+            cylinder("far cylinder", {-20.0, 40.0, 100.0}, a, 0.2, 1.5),
+            cylinder("cylinder before its end", a * 2.0 + b * 0.6, a, 0.3, 1.5),
+            cylinder("near cylinder", b * 0.51 + a * 0.2, a, 0.5, 1.5)};
 }
 
 TEST(LightSamplers, FollowTheirDensities) {
@@ -190,6 +213,7 @@ TEST(LightSamplers, MeanIsTheIrradiance) {
     EXPECT_NEAR(mean(DiskSampler<double>(c, m, 0.9)), irradiance_disk(c, m, 0.9, n), 2e-5);
     EXPECT_NEAR(mean(RectangleSampler<double>(c, m, b, 1.5, 0.8)), irradiance_rectangle(c, m, b, 1.5, 0.8, n), 2e-5);
     EXPECT_NEAR(mean(TubeSampler<double>(c, a, 0.2, 1.5)), irradiance_tube(c, a, 0.2, 1.5, n), 1e-3);
+    EXPECT_NEAR(mean(CylinderSampler<double>(c, a, 0.2, 1.5)), irradiance_cylinder(c, a, 0.2, 1.5, n), 2e-5);
 }
 
 template<class Sampler>
@@ -219,6 +243,10 @@ TEST(LightSamplers, FloatIsFiniteFromNearToFar) {
         expect_finite(DiskSampler<float>(center, of(axis_d), 1.0F), random);
         expect_finite(RectangleSampler<float>(center, of(axis_d), of(across_d), 1.0F, number(1e-2, 1e2)), random);
         expect_finite(TubeSampler<float>(center, of(axis_d), number(1e-2, 1.0), 1.0F), random);
+        const float radius = number(1e-2, 1.0);
+        const vec3<float> across = center - of(axis_d) * dot(center, of(axis_d));
+        if (length(across) > 1.001F * radius)
+            expect_finite(CylinderSampler<float>(center, of(axis_d), radius, 1.0F), random);
     }
 }
 

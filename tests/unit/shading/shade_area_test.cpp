@@ -96,7 +96,7 @@ SurfacePoint<double> point_of(const Surfaces& surfaces, std::size_t i) {
 }
 
 std::string name_of(Kind kind) {
-    constexpr const char* names[] = {"punctual", "sphere", "disk", "ellipse", "rectangle", "tube", "sun"};
+    constexpr const char* names[] = {"punctual", "sphere", "disk", "ellipse", "rectangle", "tube", "cylinder", "sun"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -106,13 +106,15 @@ protected:
     const Kernels& kernels = gonio::shading::kernels(std::get<1>(GetParam()));
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    Sets, ShadeKernels,
-    testing::Combine(testing::Values(Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube, Kind::sun),
-                     testing::ValuesIn(gonio::simd::available_sets().begin(), gonio::simd::available_sets().end())),
-    [](const auto& each) {
-        return name_of(std::get<0>(each.param)) + "_" + gonio::simd::to_text(std::get<1>(each.param));
-    });
+INSTANTIATE_TEST_SUITE_P(Sets, ShadeKernels,
+                         testing::Combine(testing::Values(Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle,
+                                                          Kind::tube, Kind::cylinder, Kind::sun),
+                                          testing::ValuesIn(gonio::simd::available_sets().begin(),
+                                                            gonio::simd::available_sets().end())),
+                         [](const auto& each) {
+                             return name_of(std::get<0>(each.param)) + "_" +
+                                    gonio::simd::to_text(std::get<1>(each.param));
+                         });
 
 // For 99.5 % of the points: a representative point jumps where the mirrored ray runs along the light's plane, and a
 // sun's disk magnifies the rounding of a direction relative to the lobe's width.

@@ -83,6 +83,9 @@ struct Mesh {
 // A capsule along X: `length` is that of the cylinder, with hemispheres at its ends. The mesh has the capsule's area.
 Mesh capsule_mesh(double radius, double length);
 
+// The side of a cylinder along X, without its ends, of equal area.
+Mesh cylinder_mesh(double radius, double length);
+
 // A rectangle across −Z, with its normal along −Z.
 Mesh rectangle_mesh(double width, double height);
 

@@ -77,12 +77,9 @@ glm::dvec3 axis_lengths(const glm::dmat4& world);
 // Whether two lengths agree to 1e-6.
 bool nearly(double a, double b);
 
-// Cylinders with a sphere of the same radius and luminance at each end become tubes; the spheres go. Other cylinders
-// become tubes of the same flux, with a remark.
+// Tubes here are cylinders of the file. Those with a sphere of the same radius and luminance at each end stay tubes;
+// the spheres go. The others become cylinders.
 void join_capsules(std::vector<FoundLight>& lights);
-
-// A cylinder without caps as the tube of the same flux.
-void close_cylinder(FoundLight& light);
 
 // An area light of triangles, in the world of the file: a rectangle, a disk or an ellipse if it is one, else only
 // listed. `points` are in metres. The light's intensity must be its luminance.

@@ -43,6 +43,7 @@ Shape random_shape(Random& random) {
     case 5:
         return RectShape{size(), size(), random.bits() % 2 == 0};
     case 6:
+        if (random.bits() % 2 == 0) return CylinderShape{size(), size()};
         return TubeShape{size(), size()};
     case 7:
         return EllipseShape{size(), size(), random.bits() % 2 == 0};

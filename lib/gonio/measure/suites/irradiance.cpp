@@ -39,7 +39,8 @@ Result<Contest> of_area(Kind kind, const char* shape, std::optional<Stratum> str
 }
 
 constexpr std::array kinds{std::pair{"disk", Kind::disk}, std::pair{"ellipse", Kind::ellipse},
-                           std::pair{"rectangle", Kind::rectangle}, std::pair{"tube", Kind::tube}};
+                           std::pair{"rectangle", Kind::rectangle}, std::pair{"tube", Kind::tube},
+                           std::pair{"cylinder", Kind::cylinder}};
 
 } // namespace
 

@@ -10,9 +10,9 @@ namespace {
 
 using Kind = shading::LightConstants::Kind;
 
-constexpr std::array kinds{std::pair{"sphere", Kind::sphere}, std::pair{"disk", Kind::disk},
+constexpr std::array kinds{std::pair{"sphere", Kind::sphere},   std::pair{"disk", Kind::disk},
                            std::pair{"ellipse", Kind::ellipse}, std::pair{"rectangle", Kind::rectangle},
-                           std::pair{"tube", Kind::tube}};
+                           std::pair{"tube", Kind::tube},       std::pair{"cylinder", Kind::cylinder}};
 
 // Where the lobe does not reach the light, there is no value for a relative error.
 constexpr double floor_luminance = 1e-3;

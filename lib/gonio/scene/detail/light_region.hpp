@@ -1,11 +1,11 @@
 // The directions in which a receiver sees an area light above its horizon: a convex part of the unit sphere, evaluated
 // along rays from a pole.
 //
-// Seen from a receiver every area shape is the convex hull of at most two circular cones, one oblique cone (a disk) and
-// one polygon, cut by the receiver's horizon. A ray is the half great circle from a pole through an azimuth; its
-// intersection with a convex set is one interval, in closed form for each of these. The corners, the horizon's
-// crossings and the tangents from the pole are closed forms too, so that between neighbouring `turns()` the ends of the
-// intervals are smooth functions of the azimuth. The receiver is the origin of all vectors.
+// Seen from a receiver every area shape is the convex hull of at most two circular cones, or of at most two oblique
+// ones (disks), and one polygon, cut by the receiver's horizon. A ray is the half great circle from a pole through an
+// azimuth; its intersection with a convex set is one interval, in closed form for each of these. The corners, the
+// horizon's crossings and the tangents from the pole are closed forms too, so that between neighbouring `turns()` the
+// ends of the intervals are smooth functions of the azimuth. The receiver is the origin of all vectors.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
@@ -40,6 +40,8 @@ public:
     static LightRegion rectangle(Vec center, Vec axis, Vec width_direction, double width, double height, bool two_sided,
                                  Vec normal);
     static LightRegion tube(Vec center, Vec axis, double radius, double length, Vec normal);
+    // A solid cylinder with its flat ends; dark from within the prolonged cylinder.
+    static LightRegion cylinder(Vec center, Vec axis, double radius, double length, Vec normal);
 
     // True if nothing of the light is above the horizon, or the receiver is on its dark side.
     bool dark() const { return dark_; }
@@ -75,14 +77,15 @@ private:
     void add_sphere(Vec center, double radius);
     void set_polygon(const std::array<Vec, 4>& corners, Vec within);
     void finish();
-    std::vector<Vec> farthest_of_rim(Vec pole) const;
+    std::vector<Vec> farthest_of_rim(const Circle& c, Vec pole) const;
+    PolarInterval chord(const Circle& c, Vec pole, Vec tangent) const;
     void add_horizon_points(std::vector<Vec>& points) const;
 
     Vec normal_;
-    std::array<Circle, 2> circles_{}; // outlines of the cones, or the rim of the disk
+    std::array<Circle, 2> circles_{}; // outlines of the cones, or the rims of disks
     std::array<Cone, 2> cones_{};
     std::size_t circle_count_ = 0;
-    bool is_disk_ = false; // the single circle is a rim, not the outline of a cone about its own axis
+    bool is_disk_ = false; // the circles are rims, not the outlines of cones about their own axes
     std::array<Vec, 4> corners_{};
     std::array<Vec, 4> inward_{}; // normals of the polygon's sides
     bool has_polygon_ = false;
