@@ -1,5 +1,5 @@
-#include <gonio/scene/detail/rays_from.hpp>
 #include <gonio/scene/primitives.hpp>
+#include <gonio/scene/rays_from.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include <gonio/scene/detail/rays_from.hpp>
+#include <gonio/scene/rays_from.hpp>
 #include <gonio/scene/stage.hpp>
 
 #include <fmt/format.h>

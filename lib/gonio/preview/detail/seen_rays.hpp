@@ -3,8 +3,8 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/scene/camera.hpp>
-#include <gonio/scene/detail/rays_from.hpp>
 #include <gonio/scene/emissive_lights.hpp>
+#include <gonio/scene/rays_from.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/light_tree.hpp>
 
