@@ -333,8 +333,8 @@ Json json_of(std::string_view command, const TimeMap& map, unsigned threads) {
 } // namespace
 
 Result<int> bench_time_map(const Arguments& arguments, Console& console) {
-    constexpr std::array<std::string_view, 9> others{"--suite", "--method",   "--stress", "--count", "--scaling",
-                                                     "--seed",  "--markdown", "--csv",    "--output"};
+    constexpr std::array<std::string_view, 10> others{"--jsonl",   "--suite", "--method",   "--stress", "--count",
+                                                      "--scaling", "--seed",  "--markdown", "--csv",    "--output"};
     if (Result<void> fine = refuse_beside("--profile", others, arguments); !fine) return pass_on(fine);
     Result<std::vector<const TimeMapKind*>> chosen =
         find_all_named("command", arguments.value("--profile").value_or("all"), std::span(kinds), "all");

@@ -337,33 +337,61 @@ private:
         return color->efficacy_lm_per_w;
     }
 
-    // The colour and the efficacy of pairs of nm and power; nothing with a remark where they are no spectrum.
+    // The colour and the efficacy of a spectrum, or why it has none.
+    struct Illuminant {
+        std::optional<SpectrumColor> facts;
+        glm::dvec3 color{1.0};
+        bool is_clipped = false;
+        std::string reason;
+    };
+
+    // Of pairs of nm and power.
+    Illuminant illuminant_of(const UsdValue* pairs) const {
+        Illuminant found;
+        constexpr std::size_t most = 20000; // numbers: 10,000 wavelengths
+        if (pairs == nullptr || pairs->numbers.empty())
+            found.reason = "it has no 'physical:customIlluminant'";
+        else if (pairs->numbers.size() % 2 != 0)
+            found.reason = "its numbers are not pairs of a wavelength and a power";
+        else if (pairs->numbers.size() > most)
+            found.reason = "it has more than 10,000 wavelengths";
+        if (!found.reason.empty()) return found;
+        std::string text;
+        for (std::size_t i = 0; i < pairs->numbers.size(); i += 2)
+            text += fmt::format("{},{}\n", shortest(pairs->numbers[i]), shortest(pairs->numbers[i + 1]));
+        const Result<Spectrum> spectrum = parse_spectrum_csv(text, source_);
+        if (!spectrum) {
+            const Diagnostics& said = spectrum.error().diagnostics;
+            found.reason = said.empty() ? "it is no spectrum" : said.back().message;
+            return found;
+        }
+        Diagnostics clipped;
+        const Result<glm::dvec3> color = light_color_of(*spectrum, &clipped);
+        const Result<SpectrumColor> facts = color_of(*spectrum);
+        if (!color || !facts) {
+            found.reason = "it has no colour";
+            return found;
+        }
+        found.facts = *facts;
+        found.color = *color;
+        found.is_clipped = !clipped.empty();
+        return found;
+    }
+
+    // Nothing with a remark where they are no spectrum. Many lights may inherit one.
     std::optional<SpectrumColor> custom_of(FoundLight& light, const UsdPrim& prim, Physical& physical) {
         const UsdValue* const pairs = value(&light, prim, "physical:customIlluminant");
-        std::string reason = "it has no 'physical:customIlluminant'";
-        if (pairs != nullptr && !pairs->numbers.empty() && pairs->numbers.size() % 2 == 0) {
-            std::string text;
-            constexpr std::size_t most = 20000; // numbers: 10,000 wavelengths
-            if (pairs->numbers.size() <= most)
-                for (std::size_t i = 0; i < pairs->numbers.size(); i += 2)
-                    text += fmt::format("{},{}\n", shortest(pairs->numbers[i]), shortest(pairs->numbers[i + 1]));
-            const Result<Spectrum> spectrum = parse_spectrum_csv(text, source_);
-            if (spectrum) {
-                Diagnostics clipped;
-                const Result<glm::dvec3> color = light_color_of(*spectrum, &clipped);
-                Result<SpectrumColor> facts = color_of(*spectrum);
-                if (color && facts) {
-                    physical.color = *color;
-                    if (!clipped.empty())
-                        remark(light, "SCN0202", "the colour of its spectrum lies outside Rec.709: clipped to it");
-                    return *facts;
-                }
-            } else if (!spectrum.error().diagnostics.empty()) {
-                reason = spectrum.error().diagnostics.back().message;
-            }
+        const auto [known, is_new] = illuminants_.try_emplace(pairs);
+        if (is_new) known->second = illuminant_of(pairs);
+        const Illuminant& found = known->second;
+        if (!found.facts) {
+            remark(light, "SCN0202", fmt::format("its custom illuminant is left out: {}", found.reason));
+            return std::nullopt;
         }
-        remark(light, "SCN0202", fmt::format("its custom illuminant is left out: {}", reason));
-        return std::nullopt;
+        physical.color = found.color;
+        if (found.is_clipped)
+            remark(light, "SCN0202", "the colour of its spectrum lies outside Rec.709: clipped to it");
+        return found.facts;
     }
 
     Result<Physical> physical_of(FoundLight& light, const UsdPrim& prim) {
@@ -673,6 +701,7 @@ private:
     const UsdLayer& layer_;
     const SceneReadOptions& options_;
     const std::string& source_;
+    std::map<const UsdValue*, Illuminant> illuminants_; // by their pairs
     FoundScene scene_;
     std::vector<std::optional<glm::dmat4>> worlds_;                              // by prim
     std::deque<UsdValue> made_;                                                  // between samples

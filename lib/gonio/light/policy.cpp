@@ -184,7 +184,11 @@ public:
         Meanings meanings;
         meanings.units = {honest(Dimension::luminance, "intensity · 2^exposure = L")};
         if (is<SunShape>()) meanings.units.push_back(honest(Dimension::illuminance, "inputs:normalize = 1, E"));
-        if (is<TubeShape>()) meanings.note = "CylinderLight has no caps";
+        if (const auto* const tube = std::get_if<TubeShape>(&shape_)) {
+            const double length = tube->length.value;
+            meanings.units.front().emitted_over_said = length / (length + 2.0 * tube->radius.value);
+            meanings.note = "CylinderLight has no caps: the same flux leaves its side";
+        }
         return meanings;
     }
 

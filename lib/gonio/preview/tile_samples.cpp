@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -11,8 +13,9 @@ namespace gonio::detail {
 
 namespace {
 
-// The rays through the pixels of a tile and of one more pixel on each side.
-RayCone cone_of(const CameraRays& rays, double left, double top, double right, double bottom) {
+// The rays through the pixels of a tile and of one more pixel on each side; nothing where they are a right angle or
+// more from the middle, in a wide picture of few pixels.
+std::optional<RayCone> cone_of(const CameraRays& rays, double left, double top, double right, double bottom) {
     RayCone cone;
     const Ray middle = rays.ray(0.5 * (left + right), 0.5 * (top + bottom));
     cone.apex = middle.origin;
@@ -20,7 +23,8 @@ RayCone cone_of(const CameraRays& rays, double left, double top, double right, d
     for (const double x : {left, right})
         for (const double y : {top, bottom})
             cone.cosine = std::min(cone.cosine, glm::dot(cone.axis, rays.ray(x, y).direction));
-    cone.cosine = std::max(cone.cosine - 1e-9, 0.0);
+    cone.cosine -= 1e-9;
+    if (!(cone.cosine > 0.0)) return std::nullopt;
     cone.sine = std::sqrt((1.0 - cone.cosine) * (1.0 + cone.cosine));
     return cone;
 }
@@ -36,12 +40,16 @@ TileSamples::TileSamples(const RayScene& scene, int left, int top)
       stride_(right_ - left_ + 2),
       centers_(scene),
       within_pixel_(scene) {
-    const RayCone cone = cone_of(scene.rays, left_ - 1.0, top_ - 1.0, right_ + 1.0, bottom_ + 1.0);
-    scene.bodies.meeting_cone(cone, seen_lights_);
+    const std::optional<RayCone> cone = cone_of(scene.rays, left_ - 1.0, top_ - 1.0, right_ + 1.0, bottom_ + 1.0);
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    if (cone)
+        scene.bodies.meeting_cone(*cone, seen_lights_);
+    else
+        scene.bodies.meeting_box(glm::dvec3(-everywhere), glm::dvec3(everywhere), seen_lights_);
     std::sort(seen_lights_.begin(), seen_lights_.end());
     for (std::uint32_t i = 0; i < scene.stage.surfaces.size(); ++i) {
         const std::optional<Ball> around = bounds(scene.stage.surfaces[i].geometry);
-        if (!around || cone.meets(around->center, around->radius)) seen_surfaces_.push_back(i);
+        if (!around || !cone || cone->meets(around->center, around->radius)) seen_surfaces_.push_back(i);
     }
     look_through_centers();
     on_outline_.resize(centers_.size());

@@ -176,7 +176,11 @@ LightRegion LightRegion::cylinder(Vec center, Vec axis, double radius, double le
     const Vec to_line = center - axis * dot(axis, center);
     const double d = height(to_line);
     if (!(d > radius)) {
-        region.dark_ = true;
+        // A point of the side sees half of all around; one within it, or within its prolongation, sees nothing.
+        if (d == radius && d > 0.0 && std::abs(dot(axis, center)) <= 0.5 * length)
+            region.add_cone(unit(to_line), 1.0, 0.0);
+        else
+            region.dark_ = true;
         region.finish();
         return region;
     }

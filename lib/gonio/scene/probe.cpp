@@ -240,7 +240,7 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
     };
     if (remarks.on_light.count > 0)
         say("RES0401",
-            fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
+            fmt::format("point {} lies on '{}', which counts as a point: its light is 0 there{}",
                         remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
                         others(remarks.on_light.count)),
             {});

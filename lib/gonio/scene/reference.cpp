@@ -214,8 +214,9 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges&
     if (p.dark_part && !p.dark_part->dark()) {
         // The difference of two integrals: both need as many digits more as it loses.
         CubatureResult dark = over(*p.dark_part, relative_error);
-        const double share = result.value > 0.0 ? (result.value - dark.value) / result.value : 1.0;
-        if (share < 0.5) {
+        const double left = result.value - dark.value;
+        if (result.error_estimate + dark.error_estimate > relative_error * left) {
+            const double share = left / (result.value + dark.value);
             const double finer = std::max(relative_error * std::max(0.5 * share, 1e-3), 1e-13);
             result = over(p.region, finer);
             dark = over(*p.dark_part, finer);

@@ -143,6 +143,10 @@ TEST(InterchangeUsd, WattsHaveTheEfficacyOfTheirIlluminant) {
     const FoundLight absent = of("token physical:illuminant = \"custom\"\n");
     EXPECT_TRUE(has_remark(absent, "SCN0202"));
     EXPECT_TRUE(has_remark(absent, "SCN0201"));
+    const FoundLight odd = of("token physical:illuminant = \"custom\"\n"
+                              "float[] physical:customIlluminant = [400, 1, 500]\n");
+    ASSERT_TRUE(has_remark(odd, "SCN0202"));
+    EXPECT_NE(odd.remarks.front().message.find("not pairs"), std::string::npos) << odd.remarks.front().message;
 }
 
 TEST(InterchangeUsd, ShapingMakesSpotsAndProfiles) {

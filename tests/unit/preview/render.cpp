@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace gonio {
 namespace {
@@ -215,6 +216,30 @@ TEST(Exposure, SubjectIsTheSameForTheReference) {
     const auto count = std::count(rendering.shows_subject.begin(), rendering.shows_subject.end(), 1);
     EXPECT_GT(count, 60); // a box and a sphere
     EXPECT_LT(count, 300);
+}
+
+// Of a wide picture of few pixels, the corner of a tile is more than a right angle from its middle.
+TEST(Preview, WideTilesSeeWhatTheirRaysMeet) {
+    Stage stage = make_stage("floor").value();
+    stage.camera.position = {0.0, -2.0, 0.6};
+    stage.camera.target = {-4.0, -0.5, 0.6};
+    stage.camera.vertical_fov_deg = 172.0;
+    const Light light = light_of("point", "8000lm", {0.0, 0.0, 3.0});
+    RenderOptions options;
+    options.width = 40;
+    options.height = 40;
+    const Rendering picture = render(stage, {&light, 1}, stage.camera, options).value();
+    const CameraRays rays(stage.camera, options.width, options.height);
+    std::size_t subjects = 0;
+    for (int j = 0; j < options.height; ++j)
+        for (int i = 0; i < options.width; ++i) {
+            const std::optional<Hit> hit = first_hit(stage, rays.ray(i + 0.5, j + 0.5));
+            const bool is_subject = hit && stage.surfaces[hit->surface].subject;
+            subjects += is_subject ? 1 : 0;
+            EXPECT_EQ(picture.shows_subject[static_cast<std::size_t>(j * options.width + i)] != 0, is_subject)
+                << i << ", " << j;
+        }
+    EXPECT_GT(subjects, 20U);
 }
 
 // Middle grey in the geometric mean, unless too many or too few pixels are white then.
