@@ -174,7 +174,7 @@ Result<std::string> made_profile() {
     table.horizontal_step_deg = 2.5;
     table.vertical_step_deg = 1.0;
     const Web web = authored(parse_authored("street").value(), table).value();
-    const ProfileTarget& target = *find_profile_target("ies");
+    const ProfileTarget target = *find_profile_target("ies");
     Result<MadeProfile> made = to_profile(web, {}, target);
     if (!made) return pass_on(made);
     return write_profile(made->profile, target);
