@@ -61,7 +61,7 @@ TileSamples::TileSamples(const RayScene& scene, int left, int top)
 
 void TileSamples::look_through_centers() {
     const auto columns = static_cast<std::size_t>(stride_);
-    const auto rows = static_cast<std::size_t>(bottom_ - top_ + 2);
+    const std::size_t rows = static_cast<std::size_t>(bottom_ - top_) + 2;
     RaysFrom& rays = centers_.begin(columns * rows);
     rays.origin = eye();
     for (std::size_t row = 0; row < rows; ++row) {

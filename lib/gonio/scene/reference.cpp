@@ -188,7 +188,7 @@ Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& norm
     };
     auto [whole, dark_part] =
         with_core_light(light.shape, light.frame, light.color, Regions(none, std::nullopt), region);
-    return {std::move(whole), std::move(dark_part), vec(normal), light.luminance.value * window};
+    return {whole, dark_part, vec(normal), light.luminance.value * window};
 }
 
 // ∫ f(l) ⟨n·l⟩ over the light times its luminance; f is a function of the unit direction. `closed_lx` is the integral
