@@ -5,6 +5,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/profile_facts.hpp>
 #include <gonio/measure/stage_lamp.hpp>
+#include <gonio/measure/timing.hpp>
 #include <gonio/media/display.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/preview/exposure.hpp>
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <functional>
 #include <optional>
 #include <string>
@@ -47,12 +47,6 @@ struct Spent {
         return {std::max(elapsed_ms - other.elapsed_ms, 0.0), std::max(processor_ms - other.processor_ms, 0.0)};
     }
 };
-
-double processor_ms() {
-    std::timespec now{};
-    (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 Spent median(std::vector<Spent> runs) {
     const auto middle = [&](double Spent::*part) {
@@ -93,14 +87,15 @@ struct TimeMapOptions {
 // The parts in turn, so that what slows the machine down slows all of them.
 Result<std::vector<TimedPart>> timed(const std::vector<Part>& parts, bool quick) {
     const std::size_t rounds = quick ? 3 : 11;
+    const measure::Clock processors = measure::process_clock();
     std::vector<std::vector<Spent>> runs(parts.size());
     for (std::size_t round = 0; round <= rounds; ++round)
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (interrupted()) break;
-            const double processor = processor_ms();
+            const double before_s = processors();
             const Stopwatch watch;
             if (Result<void> done = parts[i].work(); !done) return pass_on(done);
-            const Spent spent{watch.milliseconds(), processor_ms() - processor};
+            const Spent spent{watch.milliseconds(), 1e3 * (processors() - before_s)};
             if (round > 0) runs[i].push_back(spent); // the first one opens modules and makes tables
         }
     std::vector<TimedPart> all;

@@ -16,6 +16,12 @@ double sample_seconds(const std::function<void()>& work, std::size_t calls, cons
     return clock() - begin;
 }
 
+double seconds_of(clockid_t clock) {
+    std::timespec now{};
+    (void)clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 } // namespace
 
 Clock steady_clock() {
@@ -23,11 +29,11 @@ Clock steady_clock() {
 }
 
 Clock thread_clock() {
-    return [] {
-        std::timespec now{};
-        (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-    };
+    return [] { return seconds_of(CLOCK_THREAD_CPUTIME_ID); };
+}
+
+Clock process_clock() {
+    return [] { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); };
 }
 
 double resolution(const Clock& clock) {

@@ -32,6 +32,9 @@ Clock steady_clock();
 // threads.
 Clock thread_clock();
 
+// The processor time of all threads of the process together.
+Clock process_clock();
+
 // The smallest step observed of `clock` [s]; 0 if it stands still.
 double resolution(const Clock& clock);
 

@@ -127,29 +127,15 @@ struct Seen {
         const double radius = cylinder.radius.value;
         const double half = 0.5 * cylinder.length.value;
         const double along = glm::dot(center, a);
-        const glm::dvec3 to_line = center - along * a;
-        const double distance = glm::length(to_line);
-        if (!(distance > radius)) return {};
-        LightLines seen;
-        seen.axis = a;
-        seen.count = light_line_count;
-        const glm::dvec3 f = to_line / distance;
-        const glm::dvec3 g = glm::cross(a, f);
-        const double s = radius / distance;
-        for (std::size_t i = 0; i < light_line_count; ++i) {
-            LightLine& line = seen.lines[i];
-            const double theta = pi * place(i);
-            const double sine = s * std::cos(theta);
-            const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-            line.across = cosine * f + sine * g;
-            line.turn = s * std::sin(theta) / cosine * pi / static_cast<double>(light_line_count);
-            const double away = distance * (1.0 - s) * (1.0 + s) / (cosine + s * std::sin(theta));
+        if (!(glm::length(center - along * a) > radius)) return {};
+        return about_axis(center, a, radius, [&](const LightLines& seen, LightLine& line, const Stripe& stripe) {
+            const double s = radius / stripe.distance;
+            const double away = stripe.distance * (1.0 - s) * (1.0 + s) / (stripe.cosine + s * std::sin(stripe.theta));
             line.from = away * line.across + (along - half) * a;
             line.to = away * line.across + (along + half) * a;
             line.low = seen.sine_of(line.from);
             line.high = seen.sine_of(line.to);
-        }
-        return seen;
+        });
     }
 
     LightLines operator()(const SunShape& /*no surface at a finite distance*/) const { return {}; }
@@ -198,13 +184,20 @@ private:
         return capsule(at, across(at / distance), radius, 0.0);
     }
 
-    // A plane through the receiver and along the axis cuts the capsule in two circles and the part between them.
-    LightLines capsule(const glm::dvec3& at, const glm::dvec3& axis, double radius, double half) const {
+    // Of a body about an axis: a plane through the receiver and the axis' direction, at the sine (r/D) cos θ.
+    struct Stripe {
+        double distance; // D, of the receiver from the axis
+        double theta;
+        double cosine; // of the turn from the axis
+    };
+
+    // Planes that are uniform in θ; set(seen, line, stripe) gives the ends of each line.
+    template<class Set>
+    static LightLines about_axis(const glm::dvec3& at, const glm::dvec3& axis, double radius, const Set& set) {
         LightLines seen;
         seen.axis = axis;
         seen.count = light_line_count;
-        const double along = glm::dot(at, axis);
-        const glm::dvec3 to_line = at - along * axis;
+        const glm::dvec3 to_line = at - glm::dot(at, axis) * axis;
         const double distance = glm::length(to_line);
         const glm::dvec3 f = to_line / distance;
         const glm::dvec3 g = glm::cross(axis, f);
@@ -216,8 +209,18 @@ private:
             const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
             line.across = cosine * f + sine * g;
             line.turn = s * std::sin(theta) / cosine * pi / static_cast<double>(light_line_count);
-            const double away = distance * cosine; // more than the circles' radius, as the receiver is outside
-            const double circle = radius * std::sin(theta);
+            set(seen, line, Stripe{distance, theta, cosine});
+        }
+        return seen;
+    }
+
+    // A plane through the receiver and along the axis cuts the capsule in two circles and the part between them.
+    LightLines capsule(const glm::dvec3& at, const glm::dvec3& axis, double radius, double half) const {
+        const double along = glm::dot(at, axis);
+        return about_axis(at, axis, radius, [&](const LightLines& /*seen*/, LightLine& line, const Stripe& stripe) {
+            // More than the circles' radius, as the receiver is outside.
+            const double away = stripe.distance * stripe.cosine;
+            const double circle = radius * std::sin(stripe.theta);
             line.low = 1.0;
             line.high = -1.0;
             for (const double end : {along - half, along + half}) {
@@ -237,8 +240,7 @@ private:
                 }
                 if (half == 0.0) break;
             }
-        }
-        return seen;
+        });
     }
 };
 

@@ -1,6 +1,7 @@
 #include <gonio/scene/capsule_overlap.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
+#include <gonio/transport/ray_bundle.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
 #include <glm/geometric.hpp>
@@ -231,9 +232,7 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
     // In the frame of the surface, whose normal is z.
     constexpr std::size_t most = light_line_count * cell_count;
     const std::size_t count = lines_.count * cell_count;
-    const glm::dvec3 x = glm::normalize(
-        glm::cross(normal_, std::abs(normal_.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-    const Frame frame{point_, x, glm::cross(normal_, x), normal_};
+    const Frame frame = frame_about(point_, normal_);
     const glm::dvec3 to_eye = frame.to_local(view);
     std::array<std::array<float, most>, 3> lights{};
     std::array<std::array<float, most>, 3> eyes{};

@@ -5,6 +5,7 @@
 
 #include "area_truth.hpp"
 #include "poses.hpp"
+#include "scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,18 +25,10 @@ using gonio::measure::hostile::Stratum;
 using gonio::measure::hostile::stratum_count;
 using gonio::measure::hostile::stratum_names;
 using poses::Random;
+using poses::scaled;
 using poses::Vec;
 
 constexpr double pi = std::numbers::pi;
-
-constexpr int scaled(int count) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    return count / 20;
-#endif
-#endif
-    return count;
-}
 
 // A capsule's pose stands for that of the cylinder between its ends.
 double exact(const Pose& pose) {

@@ -5,6 +5,7 @@
 
 #include "../reference_rows.hpp"
 #include "area_truth.hpp"
+#include "scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,18 +24,9 @@ using area::Pose;
 using area::Shape;
 using area::subtended;
 using poses::Random;
+using poses::scaled;
 using poses::Vec;
 constexpr double pi = std::numbers::pi;
-
-// Counts scaled down where a sanitizer slows everything.
-constexpr int scaled(int count) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    return count / 20;
-#endif
-#endif
-    return count;
-}
 
 double log_uniform(Random& random, double low, double high) {
     return std::exp(random.uniform(std::log(low), std::log(high)));

@@ -1,5 +1,6 @@
 // Every shape in every stratum of poses: double against the outline in long double, float against double.
 #include "long_double_truth.hpp"
+#include "scaled.hpp"
 #include "stratified_poses.hpp"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@ using area::Pose;
 using area::Shape;
 using area::Stratum;
 using poses::Random;
+using poses::scaled;
 
 class StratifiedIrradiance : public testing::TestWithParam<Shape> {};
 
@@ -36,15 +38,6 @@ std::string text(const Pose& p, std::size_t stratum) {
                         area::stratum_names[stratum], p.center.x, p.center.y, p.center.z, p.axis.x, p.axis.y, p.axis.z,
                         p.across.x, p.across.y, p.across.z, p.p, p.q, p.normal.x, p.normal.y, p.normal.z);
     return line;
-}
-
-constexpr int scaled(int count) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    return count / 20;
-#endif
-#endif
-    return count;
 }
 
 // On the light the irradiance jumps: there a value is right if it is right for a receiver moved by one rounding step.

@@ -77,36 +77,33 @@ Sampler rectangle(const std::string& name, Vec center, Vec axis, Vec across, dou
     });
 }
 
+// Whether a ray enters a cylinder through its side.
+bool hits_side(Vec center, Vec axis, double r, double l, Vec d) {
+    const Vec across = d - axis * dot(axis, d);
+    const Vec to_line = center - axis * dot(axis, center);
+    const double speed2 = dot(across, across);
+    const double closest = dot(to_line, across) / speed2;
+    const Vec miss = to_line - across * closest;
+    const double half2 = (r * r - dot(miss, miss)) / speed2;
+    if (half2 < 0.0) return false;
+    const double t = closest - std::sqrt(half2);
+    return t > 0.0 && std::abs(t * dot(d, axis) - dot(center, axis)) <= 0.5 * l;
+}
+
 Sampler tube(const std::string& name, Vec center, Vec axis, double r, double l) {
     const double reach = std::atan2(0.5 * l + r, std::max(length(center) - 0.5 * l - r, 0.05));
     return wrap(name, center, reach, TubeSampler<double>(center, axis, r, l), [=](Vec d) {
         if (hits_ball(center - axis * (0.5 * l), r, d) || hits_ball(center + axis * (0.5 * l), r, d)) return true;
-        const Vec across = d - axis * dot(axis, d);
         const Vec to_line = center - axis * dot(axis, center);
         if (length(to_line) < r && std::abs(dot(axis, center)) < 0.5 * l) return true;
-        const double speed2 = dot(across, across);
-        const double closest = dot(to_line, across) / speed2;
-        const Vec miss = to_line - across * closest;
-        const double half2 = (r * r - dot(miss, miss)) / speed2;
-        if (half2 < 0.0) return false;
-        const double t = closest - std::sqrt(half2);
-        return t > 0.0 && std::abs(t * dot(d, axis) - dot(center, axis)) <= 0.5 * l;
+        return hits_side(center, axis, r, l, d);
     });
 }
 
 Sampler cylinder(const std::string& name, Vec center, Vec axis, double r, double l) {
     const double reach = std::atan2(0.5 * l + r, std::max(length(center) - 0.5 * l - r, 0.05));
-    return wrap(name, center, reach, CylinderSampler<double>(center, axis, r, l), [=](Vec d) {
-        const Vec across = d - axis * dot(axis, d);
-        const Vec to_line = center - axis * dot(axis, center);
-        const double speed2 = dot(across, across);
-        const double closest = dot(to_line, across) / speed2;
-        const Vec miss = to_line - across * closest;
-        const double half2 = (r * r - dot(miss, miss)) / speed2;
-        if (half2 < 0.0) return false;
-        const double t = closest - std::sqrt(half2);
-        return t > 0.0 && std::abs(t * dot(d, axis) - dot(center, axis)) <= 0.5 * l;
-    });
+    return wrap(name, center, reach, CylinderSampler<double>(center, axis, r, l),
+                [=](Vec d) { return hits_side(center, axis, r, l, d); });
 }
 
 std::vector<Sampler> samplers() {

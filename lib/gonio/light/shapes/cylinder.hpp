@@ -57,9 +57,7 @@ struct ShapeTraits<CylinderShape> {
     static double radius(const CylinderShape& s) { return std::hypot(0.5 * s.length.value, s.radius.value); }
     static double nearest(const CylinderShape& s) { return s.radius.value; }
     static Radians half_cone(const CylinderShape&) { return shape_detail::all_round; }
-    static double shown(const CylinderShape&, const glm::dvec3& d) { // sin ψ, ψ from its axis
-        return std::hypot(d.y, d.z) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-    }
+    static double shown(const CylinderShape&, const glm::dvec3& d) { return shape_detail::sine_from_axis(d); }
     static Factor flux(const CylinderShape&) { return {std::numbers::pi * std::numbers::pi, "Φ = π² I"}; }
     static Factor projected(const CylinderShape& s) {
         return {closed_form::cylinder_area(s.radius.value, s.length.value), "I = 2 r l L"};
@@ -71,12 +69,7 @@ struct ShapeTraits<CylinderShape> {
     }
     static shading::CylinderLight<double> core(const CylinderShape& s, const Frame& frame,
                                                const glm::dvec3& luminance) {
-        return {shape_detail::core(frame.origin),
-                shape_detail::core(luminance),
-                shape_detail::core(frame.x),
-                s.radius.value,
-                s.length.value,
-                0.0};
+        return shape_detail::long_core<shading::CylinderLight<double>>(s, frame, luminance);
     }
 };
 

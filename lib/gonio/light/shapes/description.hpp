@@ -98,6 +98,15 @@ inline shading::vec3<double> core(const glm::dvec3& v) {
 // For shapes that emit in all directions.
 inline constexpr Radians all_round{std::numbers::pi};
 
+// For a long shape: the light of the core, and the sine of the angle from its axis, X.
+template<class CoreLight, class Long>
+CoreLight long_core(const Long& shape, const Frame& frame, const glm::dvec3& luminance) {
+    return {core(frame.origin), core(luminance), core(frame.x), shape.radius.value, shape.length.value, 0.0};
+}
+inline double sine_from_axis(const glm::dvec3& d) {
+    return std::hypot(d.y, d.z) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+}
+
 // For a flat shape: the cosine from its direction, on both sides if two-sided.
 template<class Flat>
 double flat_shown(const Flat& shape, const glm::dvec3& direction) {

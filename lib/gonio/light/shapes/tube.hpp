@@ -24,7 +24,7 @@ struct ShapeTraits<TubeShape> {
     static Radians half_cone(const TubeShape&) { return shape_detail::all_round; }
     static double shown(const TubeShape& s, const glm::dvec3& d) {
         // The projected area of a capsule: 2 r l sin ψ + π r², ψ from its axis.
-        const double sin_psi = std::hypot(d.y, d.z) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+        const double sin_psi = shape_detail::sine_from_axis(d);
         const double side = 2.0 * s.length.value;
         const double caps = std::numbers::pi * s.radius.value;
         return (side * sin_psi + caps) / (side + caps);
@@ -42,12 +42,7 @@ struct ShapeTraits<TubeShape> {
                 "D² = d²+z²"};
     }
     static shading::TubeLight<double> core(const TubeShape& s, const Frame& frame, const glm::dvec3& luminance) {
-        return {shape_detail::core(frame.origin),
-                shape_detail::core(luminance),
-                shape_detail::core(frame.x),
-                s.radius.value,
-                s.length.value,
-                0.0};
+        return shape_detail::long_core<shading::TubeLight<double>>(s, frame, luminance);
     }
 };
 

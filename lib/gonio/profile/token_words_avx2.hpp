@@ -1,0 +1,207 @@
+// token_words.hpp for AVX2: four tokens at a time. Internal.
+#pragma once
+
+#include <gonio/profile/token_words.hpp>
+
+#if defined(__AVX2__)
+
+#include <immintrin.h>
+
+namespace gonio::profile_detail {
+
+template<>
+struct TokenWords<simd::pack<float, simd::avx2>> {
+    static constexpr std::size_t lanes = 4;
+    using Masks = ByteMasks<simd::pack<float, simd::avx2>>;
+
+    // The eight bytes before `end`.
+    static long long word_before(const char* end) {
+        long long bytes = 0;
+        std::memcpy(&bytes, end - 8, sizeof bytes);
+        return bytes;
+    }
+    static __m128i offsets(const std::uint32_t* from) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+    }
+
+    template<Separators separators>
+    static Masks classify(const char* p) {
+        Masks masks{};
+        for (unsigned i = 0; i < 64; i += 32) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
+            const __m256i bytes = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p + i));
+            const auto within = [&](char lowest, char highest) {
+                const __m256i above = _mm256_sub_epi8(bytes, _mm256_set1_epi8(lowest));
+                const __m256i span = _mm256_set1_epi8(static_cast<char>(highest - lowest));
+                return _mm256_cmpeq_epi8(_mm256_min_epu8(above, span), above);
+            };
+            const auto equals = [&](char byte) { return _mm256_cmpeq_epi8(bytes, _mm256_set1_epi8(byte)); };
+            const auto add = [&](std::uint64_t& mask, __m256i found) {
+                mask |= std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(found))} << i;
+            };
+            add(masks.numeric, within('-', '9'));
+            if constexpr (separators == Separators::lines) {
+                add(masks.cr, equals('\r'));
+                add(masks.lf, equals('\n'));
+            } else {
+                add(masks.ends, _mm256_or_si256(within('\t', '\r'), _mm256_or_si256(equals(' '), equals(','))));
+            }
+        }
+        return masks;
+    }
+
+    // Eight at a time, and none of them waits for the number of entries: some written behind the last mean nothing.
+    static std::uint32_t* list(std::uint64_t mask, std::uint32_t offset, std::uint32_t* to) {
+        std::uint32_t* const behind = to + __builtin_popcountll(mask);
+        while (to < behind)
+            for (int i = 0; i < 8; ++i) {
+                *to++ = offset + static_cast<std::uint32_t>(__builtin_ctzll(mask | std::uint64_t{1} << 63U));
+                mask &= mask - 1;
+            }
+        return behind;
+    }
+
+    static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
+        const auto word = [&](int i) { return word_before(text + ends[i]); };
+        const __m256i zero = _mm256_setzero_si256();
+        const __m256i ones = _mm256_set1_epi8(1);
+        const __m256i all = _mm256_set1_epi8(-1);
+        const __m256i length = _mm256_cvtepu32_epi64(_mm_sub_epi32(offsets(ends), offsets(begins)));
+        // The words that end with the tokens; bytes before a token are cleared, and all of those of a long one.
+        const __m256i keep =
+            _mm256_sllv_epi64(all, _mm256_sub_epi64(_mm256_set1_epi64x(64), _mm256_slli_epi64(length, 3)));
+        const __m256i words = _mm256_set_epi64x(word(3), word(2), word(1), word(0));
+        const __m256i token = _mm256_and_si256(_mm256_xor_si256(words, _mm256_set1_epi8('0')), keep);
+        // Digits are 0 to 9 now, '-' 0x1D, '.' 0x1E and '/' 0x1F.
+        const __m256i marks = _mm256_and_si256(_mm256_srli_epi64(token, 4), ones);
+        const __m256i second = _mm256_srli_epi64(token, 1);
+        const __m256i point = _mm256_andnot_si256(token, marks);
+        const __m256i minus = _mm256_andnot_si256(second, marks);
+        const __m256i kept = _mm256_and_si256(keep, ones);
+        const __m256i first = _mm256_andnot_si256(_mm256_slli_epi64(keep, 8), kept);
+        const __m256i before = _mm256_add_epi64(point, all); // all bits where there is no point
+        const __m256i slash = _mm256_and_si256(marks, _mm256_and_si256(token, second));
+        const __m256i wrong =
+            _mm256_or_si256(slash, _mm256_or_si256(_mm256_andnot_si256(first, minus), _mm256_and_si256(point, before)));
+        const __m256i fine =
+            _mm256_andnot_si256(_mm256_cmpeq_epi64(kept, marks), _mm256_cmpeq_epi64(wrong, zero)); // and with digits
+        const __m256i digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, marks), token);
+        // The digits before the point move up by one byte, over the point.
+        const __m256i moved = _mm256_andnot_si256(_mm256_cmpeq_epi64(point, zero), before);
+        const __m256i joined =
+            _mm256_or_si256(_mm256_andnot_si256(moved, digits), _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
+        const __m256i number = number_in(joined);
+        // By the bytes before the point; 8 where there is none.
+        const __m256i index =
+            _mm256_min_epi32(_mm256_sad_epu8(_mm256_and_si256(before, ones), zero), _mm256_set1_epi64x(7));
+        const __m256i powers = _mm256_setr_epi32(10000000, 1000000, 100000, 10000, 1000, 100, 10, 1);
+        const __m256i power =
+            _mm256_blend_epi32(_mm256_permutevar8x32_epi32(powers, index), zero, 0xAA); // the upper half is powers[0]
+        const __m256d value = _mm256_div_pd(to_double(number), to_double(power));
+        const __m256d sign =
+            _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
+        _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
+        return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
+    }
+
+    static constexpr bool converts_wide = true;
+
+    static unsigned convert_wide(const char* text, const std::uint32_t* begins, const std::uint32_t* ends,
+                                 double* numbers) {
+        const auto word = [&](int i, int before) { return word_before(text + ends[i] - (before - 8)); };
+        const __m256i zero = _mm256_setzero_si256();
+        const __m256i ones = _mm256_set1_epi8(1);
+        const __m256i all = _mm256_set1_epi8(-1);
+        const __m256i zeros = _mm256_set1_epi8('0');
+        const __m256i length = _mm256_cvtepu32_epi64(_mm_sub_epi32(offsets(ends), offsets(begins)));
+        // The two words that end with the tokens; bytes before a token are cleared.
+        const __m256i keep =
+            _mm256_sllv_epi64(all, _mm256_sub_epi64(_mm256_set1_epi64x(128), _mm256_slli_epi64(length, 3)));
+        const __m256i high_words = _mm256_set_epi64x(word(3, 16), word(2, 16), word(1, 16), word(0, 16));
+        const __m256i low_words = _mm256_set_epi64x(word(3, 8), word(2, 8), word(1, 8), word(0, 8));
+        const __m256i high = _mm256_and_si256(_mm256_xor_si256(high_words, zeros), keep);
+        const __m256i low = _mm256_xor_si256(low_words, zeros);
+        const __m256i high_marks = _mm256_and_si256(_mm256_srli_epi64(high, 4), ones);
+        const __m256i low_marks = _mm256_and_si256(_mm256_srli_epi64(low, 4), ones);
+        const __m256i high_second = _mm256_srli_epi64(high, 1);
+        const __m256i high_point = _mm256_andnot_si256(high, high_marks);
+        const __m256i low_point = _mm256_andnot_si256(low, low_marks);
+        const __m256i minus = _mm256_andnot_si256(high_second, high_marks);
+        const __m256i first = _mm256_andnot_si256(_mm256_slli_epi64(keep, 8), _mm256_and_si256(keep, ones));
+        const __m256i high_before = _mm256_add_epi64(high_point, all);
+        const __m256i low_before = _mm256_add_epi64(low_point, all);
+        const __m256i no_high_point = _mm256_cmpeq_epi64(high_point, zero);
+        const __m256i no_low_point = _mm256_cmpeq_epi64(low_point, zero);
+        const __m256i slash = _mm256_and_si256(high_marks, _mm256_and_si256(high, high_second));
+        const __m256i points =
+            _mm256_or_si256(_mm256_and_si256(high_point, high_before), _mm256_and_si256(low_point, low_before));
+        const __m256i wrong = _mm256_or_si256(
+            _mm256_or_si256(slash, _mm256_andnot_si256(first, minus)),
+            _mm256_or_si256(points, _mm256_and_si256(low_marks, low))); // in the low word only a point is right
+        const __m256i one_point = _mm256_or_si256(no_high_point, no_low_point);
+        const __m256i high_digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, high_marks), high);
+        const __m256i low_digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, low_marks), low);
+        // The digits before the point move up by one byte, over the point.
+        const __m256i low_moved = _mm256_andnot_si256(no_low_point, low_before);
+        const __m256i high_moved =
+            _mm256_or_si256(_mm256_andnot_si256(no_low_point, all), _mm256_andnot_si256(no_high_point, high_before));
+        const auto joined = [](__m256i digits, __m256i moved) {
+            return _mm256_or_si256(_mm256_andnot_si256(moved, digits),
+                                   _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
+        };
+        const __m256i across = _mm256_andnot_si256(no_low_point, _mm256_srli_epi64(high_digits, 56));
+        const __m256i upper = number_in(joined(high_digits, high_moved));
+        const __m256i lower = number_in(_mm256_or_si256(joined(low_digits, low_moved), across));
+        const __m256i number = _mm256_add_epi64(_mm256_mul_epu32(upper, _mm256_set1_epi64x(100000000)), lower);
+        const __m256i before = _mm256_sad_epu8(
+            _mm256_add_epi8(_mm256_and_si256(high_moved, ones), _mm256_and_si256(low_moved, ones)), zero);
+        const __m256i decimals = _mm256_andnot_si256(_mm256_and_si256(no_high_point, no_low_point),
+                                                     _mm256_sub_epi64(_mm256_set1_epi64x(15), before));
+        alignas(32) static constexpr double powers[16] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+        const __m256d power = _mm256_i64gather_pd(powers, _mm256_and_si256(decimals, _mm256_set1_epi64x(15)), 8);
+        const __m256d value = _mm256_div_pd(to_double(number), power);
+        const __m256d sign =
+            _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
+        _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
+        const __m256i exact = _mm256_cmpeq_epi64(_mm256_srli_epi64(number, 52), zero);
+        const __m256i fine = _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact));
+        return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
+    }
+
+    // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.
+    static __m256i number_in(__m256i digits) {
+        const __m256i pairs = _mm256_maddubs_epi16(digits, _mm256_set1_epi16(0x010A)); // 10 and 1
+        const __m256i fours = _mm256_madd_epi16(pairs, _mm256_set1_epi32(0x00010064)); // 100 and 1
+        return _mm256_add_epi64(_mm256_mul_epu32(fours, _mm256_set1_epi64x(10000)), _mm256_srli_epi64(fours, 32));
+    }
+
+    // Exact below 2^52.
+    static __m256d to_double(__m256i whole) {
+        const __m256i exponent = _mm256_set1_epi64x(0x4330000000000000);
+        return _mm256_sub_pd(_mm256_castsi256_pd(_mm256_or_si256(whole, exponent)), _mm256_castsi256_pd(exponent));
+    }
+
+    static void widen(const double* numbers, std::size_t count, double& lowest, double& highest) {
+        __m256d low = _mm256_set1_pd(lowest);
+        __m256d high = _mm256_set1_pd(highest);
+        std::size_t i = 0;
+        for (; i + 4 <= count; i += 4) {
+            const __m256d four = _mm256_loadu_pd(numbers + i);
+            low = _mm256_min_pd(four, low);
+            high = _mm256_max_pd(four, high);
+        }
+        double lows[4];
+        double highs[4];
+        _mm256_storeu_pd(lows, low);
+        _mm256_storeu_pd(highs, high);
+        TokenWords<simd::avx2>::widen(numbers + i, count - i, lowest, highest);
+        TokenWords<simd::avx2>::widen(lows, 4, lowest, highest);
+        TokenWords<simd::avx2>::widen(highs, 4, lowest, highest);
+    }
+};
+
+} // namespace gonio::profile_detail
+
+#endif
