@@ -11,12 +11,11 @@ target_include_directories(gonio-shared PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT
                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(gonio-shared PUBLIC cxx_std_20)
 # The archives that the tool links need not be position-independent; here the shared ones cost nothing.
-find_library(GONIO_LIBMD md REQUIRED)
 find_library(GONIO_PUGIXML pugixml REQUIRED)
-mark_as_advanced(GONIO_LIBMD GONIO_PUGIXML)
+mark_as_advanced(GONIO_PUGIXML)
 target_link_libraries(gonio-shared
     PUBLIC glm::glm tl::expected
     PRIVATE $<BUILD_INTERFACE:gonio-build-flags> Threads::Threads ${CMAKE_DL_LIBS}
-            "${GONIO_LIBMD}" "${GONIO_PUGIXML}")
+            "${GONIO_PUGIXML}")
 target_link_options(gonio-shared PRIVATE "LINKER:--version-script=${gonio_exports}" LINKER:--no-undefined
                                          LINKER:--as-needed)
