@@ -52,9 +52,17 @@ struct Words {
     [[nodiscard]] std::string qualifier() const { return in_c() ? "static inline struct " : ""; }
 };
 
+std::string upper(std::string text) {
+    for (char& c : text)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return text;
+}
+
 std::string comment(const Words& words) {
     const ShadingTable& table = words.table();
-    std::string text = fmt::format("// {}.\n//\n", words.info().summary);
+    std::string summary(words.info().summary);
+    summary.replace(0, 1, upper(summary.substr(0, 1)));
+    std::string text = fmt::format("// {}.\n//\n", summary);
     const bool lobe = words.info().is_lobe();
     if (!lobe)
         for (const TableChannel& channel : words.info().channels)
@@ -301,10 +309,14 @@ std::string c_data(const Words& words) {
     });
     text += "};\n";
     if (info_of(stored.pixel).steps > 0.0)
-        for (const auto& [name, member] : {std::pair{"offset", &ChannelRange::offset}, {"scale", &ChannelRange::scale}})
-            text += fmt::format(
-                "static const float {}_{}[{}] = {{\n{}}};\n", words.prefix(), name, stored.ranges.size(),
-                listed(stored.ranges.size(), 6, [&](std::size_t c) { return words.number(stored.ranges[c].*member); }));
+        for (const auto& [name, member] :
+             {std::pair{"offset", &ChannelRange::offset}, {"scale", &ChannelRange::scale}}) {
+            std::vector<double> numbers;
+            for (const ChannelRange& range : stored.ranges)
+                numbers.push_back(range.*member);
+            text += fmt::format("static const float {}_{}[{}] = {{\n{}}};\n", words.prefix(), name, numbers.size(),
+                                listed(numbers.size(), 6, [&](std::size_t c) { return words.number(numbers[c]); }));
+        }
     text += fmt::format("static inline float {0}_component(int column, int row, int channel) {{\n"
                         "    int place = {1};\n"
                         "{2}"
@@ -324,12 +336,6 @@ std::string c_data(const Words& words) {
                         "    return low + (down - (float)top) * (high - low);\n"
                         "}}\n",
                         words.prefix(), words.table().width - 1, words.table().height - 1);
-    return text;
-}
-
-std::string upper(std::string text) {
-    for (char& c : text)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     return text;
 }
 
