@@ -152,7 +152,7 @@ Result<StoredTable> store_table(ShadingTable table, TablePixel pixel) {
     std::vector<double> greatest(channels);
     const double steps = info_of(pixel).steps;
     for (std::size_t c = 0; c < channels; ++c) {
-        double low = static_cast<double>(table.values[c]);
+        auto low = static_cast<double>(table.values[c]);
         double high = low;
         for (std::size_t i = c; i < table.values.size(); i += channels) {
             low = std::min(low, static_cast<double>(table.values[i]));

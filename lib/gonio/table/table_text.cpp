@@ -288,7 +288,7 @@ std::string c_value(const Words& words) {
 
 // Where a component is in the data: layer after layer.
 std::string c_place(const Words& words) {
-    const std::string texel = fmt::format("row * {} + column", words.table().width);
+    std::string texel = fmt::format("row * {} + column", words.table().width);
     if (words.stored.pixel == TablePixel::rgb9e5) return texel;
     const std::vector<std::size_t>& layers = words.stored.layers;
     if (layers.size() == 1) return fmt::format("({}) * {} + channel", texel, layers[0]);

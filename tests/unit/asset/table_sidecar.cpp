@@ -15,7 +15,7 @@ TEST(TableSidecar, FitsTheSchema) {
     const test::JsonSchema fits(nlohmann::json::parse(read_file(path).value()));
     for (const TableInfo& info : table_infos())
         for (const TablePixelInfo& pixel : table_pixels()) {
-            ShadingTable table = make_shading_table(info.kind, TableForm::bilinear, TableAxes::root, 3, 2).value();
+            ShadingTable table = make_shading_table(info.kind, TableForm::bilinear, TableAxes::root, 3, 2, 1).value();
             const Result<StoredTable> stored = store_table(std::move(table), pixel.pixel);
             if (!stored) continue;
             const TableDescription of{"dds", {512, 1e-4, 2e-3, 0.25}, file_record("a \xff.dds", "abc")};
