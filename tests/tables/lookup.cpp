@@ -13,8 +13,12 @@
 struct Vector {
     double x = 0.0, y = 0.0, z = 0.0, w = 0.0;
 };
-static float max(double a, double b) { return static_cast<float>(a > b ? a : b); }
-static float min(double a, double b) { return static_cast<float>(a < b ? a : b); }
+static float max(double a, double b) {
+    return static_cast<float>(a > b ? a : b);
+}
+static float min(double a, double b) {
+    return static_cast<float>(a < b ? a : b);
+}
 using std::sqrt;
 
 // A texture with bilinear filtering, clamped to its edge.
@@ -56,15 +60,21 @@ using float3 = vec3;
 struct sampler2D {};
 struct sampler2DArray {};
 struct SamplerState {};
-[[maybe_unused]] static vec4 texture(sampler2D, vec2 at) { return texels.at(at.x, at.y, 0); }
-[[maybe_unused]] static vec4 texture(sampler2DArray, vec3 at) { return texels.at(at.x, at.y, static_cast<std::size_t>(at.z)); }
+[[maybe_unused]] static vec4 texture(sampler2D, vec2 at) {
+    return texels.at(at.x, at.y, 0);
+}
+[[maybe_unused]] static vec4 texture(sampler2DArray, vec3 at) {
+    return texels.at(at.x, at.y, static_cast<std::size_t>(at.z));
+}
 template<class T>
 struct Texture2D {
     T SampleLevel(SamplerState, float2 at, double) const { return texels.at(at.x, at.y, 0); }
 };
 template<class T>
 struct Texture2DArray {
-    T SampleLevel(SamplerState, float3 at, double) const { return texels.at(at.x, at.y, static_cast<std::size_t>(at.z)); }
+    T SampleLevel(SamplerState, float3 at, double) const {
+        return texels.at(at.x, at.y, static_cast<std::size_t>(at.z));
+    }
 };
 #include SOURCE
 #endif
