@@ -1,5 +1,5 @@
 """Reads the tables that `gonio bake --table` writes with nothing of gonio: the bytes of each format by its
-specification, and the lookups that it prints, compiled (GLSL and HLSL as C++). Each is compared with the description in
+specification, and the lookups that it prints, compiled (GLSL and HLSL as C++, and by glslang if that is installed). Each is compared with the description in
 the sidecar.
 
     reread.py GONIO C-COMPILER C++-COMPILER SOURCE-FOLDER
@@ -8,6 +8,7 @@ the sidecar.
 import json
 import math
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -145,6 +146,40 @@ def compare(what, found, wanted):
     print(f"{what}: {len(found)} lookups within {worst:.0e}")
 
 
+def compile_shader(folder, side, language):
+    """By glslang, if it is there: GLSL ES, GLSL 4.50 and HLSL."""
+    if not shutil.which("glslangValidator"):
+        return
+    member = side["channels"][-1]["name"]
+    call = side["table"].replace("-", "_") + "_lookup"
+    kind = "2DArray" if len(side["layers"]) > 1 else "2D"
+    texture = side["form"] == "bilinear"
+    source = side["lookup"][language]
+    if language == "hlsl":
+        given = "t, s, " if texture else ""
+        texts = [
+            f"{source}\nTexture{kind}<float4> t : register(t0);\nSamplerState s : register(s0);\n"
+            f"float4 main(float2 p : TEXCOORD0) : SV_Target {{ return {call}({given}p.x, p.y).{member}; }}\n"
+        ]
+        options = ["-D", "-V", "-e", "main", "-o", os.path.join(folder, "out.spv")]
+    else:
+        given = "t, " if texture else ""
+        main = f"void main() {{ c = vec4({call}({given}p.x, p.y).{member}); }}\n"
+        es = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n"
+        texts = [
+            f"{es}{source}\nuniform sampler{kind} t;\nin vec2 p;\nout vec4 c;\n{main}",
+            f"#version 450\n{source}\nlayout(binding = 0) uniform sampler{kind} t;\nlayout(location = 0) in vec2 p;\n"
+            f"layout(location = 0) out vec4 c;\n{main}",
+        ]
+        options = []
+    for text in texts:
+        path = os.path.join(folder, "shader.frag")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        done = subprocess.run(["glslangValidator", *options, "-S", "frag", path], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout
+
+
 def check(folder, options):
     name = os.path.join(folder, "table")
     bake([*options], name + ".json")
@@ -211,6 +246,7 @@ def check(folder, options):
              f"-DHEIGHT={side['height']}", f"-DLOOKUP={lookup}({first}n_dot_v, roughness)"],
             check=True,
         )
+        compile_shader(folder, side, language)
         compare(f"{title}: {language.upper()}", run([program, name + ".texels"], POSES), wanted)
 
 
