@@ -32,6 +32,7 @@
 #include <gonio/shader/shader.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/sky_description.hpp>
+#include <gonio/table/shading_table.hpp>
 
 #include "preview/layers.hpp"
 #include "preview/picture_method.hpp"
@@ -430,6 +431,14 @@ Entries targets() {
     return entries;
 }
 
+Entries tables() {
+    Entries entries;
+    for (const TableInfo& table : table_infos())
+        entries.push_back({std::string(table.name),
+                           fmt::format("{} (axes {})", table.summary, table.is_lobe() ? "root" : "linear, root")});
+    return entries;
+}
+
 constexpr std::array lists{
     NamedList{"arrangements", "where the luminaires of road are", road_arrangement_names},
     NamedList{"cie-skies", "general skies of the CIE", cie_skies},
@@ -478,6 +487,7 @@ constexpr std::array lists{
     NamedList{"suites", "what bench measures", suites},
 #endif
     NamedList{"sweeps", "parameters that preview --sweep changes", sweeps},
+    NamedList{"tables", "tables of bake --table", tables},
     NamedList{"targets", "programs that import writes for", targets},
     NamedList{"tasks", "what standards require of light", tasks},
     NamedList{"tints", "tint conventions of other programs", tints},

@@ -1,5 +1,6 @@
 #include "../arguments.hpp"
 #include "../bake/request.hpp"
+#include "../bake/table_job.hpp"
 #include "../bake/texture_job.hpp"
 #include "../batch.hpp"
 #include "../catalogue.hpp"
@@ -20,6 +21,7 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array groups{OptionGroup{"texture", bake_options},
+                            OptionGroup{"table", table_options},
                             output_group,
                             picture_format_group,
                             profile_input_group,
@@ -43,10 +45,15 @@ constexpr std::array examples{
     Example{"gonio bake library -u -O textures --manifest textures.json",
             "a whole folder; textures that are up to date are skipped"},
     Example{"gonio bake library --shard 2/8 -O textures --manifest 2.json", "the second of eight jobs"},
+    Example{"gonio bake --table dfg -s 16 --pixel half -o dfg.dds", "the split sum as a table for shaders"},
+    Example{"gonio bake --table ltc-ggx -s 32 --pixel half -o ltc.h", "a table and its lookup as a C header"},
     Example{"gonio bake --merge 1.json 2.json -o all.json", "one manifest for all jobs"},
 };
 
 Result<int> bake_all(const Arguments& arguments, Console& console) {
+    for (const char* const option : {"--axes", "--form"})
+        if (arguments.has(option))
+            return fail("USE0107", fmt::format("{} is only for tables", option), "add --table dfg");
     if (arguments.has("--merge")) return merge_manifests(arguments, console);
     Result<std::vector<std::string>> inputs = input_files(arguments);
     if (!inputs) return pass_on(inputs);
@@ -91,23 +98,33 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
                          });
 }
 
+} // namespace
+
+extern const Command bake_command;
+
+namespace {
+
 int run(const Arguments& arguments, Console& console) {
-    const Result<int> status = bake_all(arguments, console);
+    const Result<int> status =
+        arguments.has("--table") ? bake_table(bake_command, arguments, console) : bake_all(arguments, console);
     return status ? *status : console.fail(status.error());
 }
 
 } // namespace
 
-extern const Command bake_command;
 const Command bake_command{
     "bake",
     "write a profile as a texture of exact means, with a sidecar",
-    "FILE… --layout LAYOUT -s WxH -o OUT",
+    "FILE… --layout LAYOUT -s WxH -o OUT | --table NAME -s N -o OUT",
     "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
     "for a list of files. EXR files also carry the fields of the sidecar as attributes gonio:…;\n"
     "PNG and TIFF cannot. With -u, a texture is outdated if its sidecar names other input bytes or\n"
     "options, or if the texture does not hold the bytes that the sidecar names; without a sidecar,\n"
-    "if it is older than its input.",
+    "if it is older than its input.\n"
+    "\n"
+    "--table takes no FILE. OUT ends in .exr, .dds, .raw, .bin, .h, .hpp or .json; --pixel may also be rgb9e5, and\n"
+    "integers go over the range of each channel. The sidecar has the axes, the lookup in GLSL and HLSL, and its\n"
+    "error against quadrature.",
     groups,
     examples,
     run};

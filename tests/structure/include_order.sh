@@ -24,7 +24,7 @@ mapfile -d '' files < <(find "${folders[@]}" -type f \
 public_headers=
 [[ -f lib/cmake/public-headers.txt ]] && public_headers=$(tr '\n' ' ' < lib/cmake/public-headers.txt)
 
-awk -v public_headers="$public_headers" -v order='base simd profile web color shading shader light sky ibl scene transport figures bake preview plot asset interchange measure media' '
+awk -v public_headers="$public_headers" -v order='base simd profile web color shading shader light sky ibl table scene transport figures bake preview plot asset interchange measure media' '
     BEGIN {
         count = split(order, names, " ")
         for (i = 1; i <= count; ++i) rank[names[i]] = i

@@ -1,0 +1,268 @@
+#include <gonio/base/named.hpp>
+#include <gonio/base/parallel.hpp>
+#include <gonio/ibl/split_sum.hpp>
+#include <gonio/shading/brdf_kulla_conty.hpp>
+#include <gonio/shading/ltc_table.hpp>
+#include <gonio/table/shading_table.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gonio {
+
+namespace {
+
+constexpr std::array dfg_channels{TableChannel{"scale", "A: the factor of F0"},
+                                  TableChannel{"bias", "B: the factor of F90"}};
+constexpr std::array kulla_conty_channels{
+    TableChannel{"albedo", "E: the share that facets which reflect all light give back by a single scattering"},
+    TableChannel{"mean_albedo", "the mean of E over uniform light; the same in all columns of a row"}};
+// The first five are those of ltc-disney too.
+constexpr std::array ltc_channels{
+    TableChannel{"along", "of the inverse matrix: along the mirrored direction"},
+    TableChannel{"raised", "of the inverse matrix: how the lobe leans away from the mirrored direction"},
+    TableChannel{"across", "of the inverse matrix: across the plane of the view"},
+    TableChannel{"slant", "of the inverse matrix: its lower left number"},
+    TableChannel{"albedo", "what the lobe reflects of uniform light for F = 1"},
+    TableChannel{"grazing", "what the lobe reflects of uniform light for F = (1 - l.h)^5"}};
+
+constexpr std::string_view value_error = "greatest |lookup - quadrature| of both channels";
+constexpr std::string_view lobe_error = "greatest error of the reflected luminance under any uniform light, as a share "
+                                        "of what the lobe reflects of uniform "
+                                        "light from everywhere, for F = 1";
+
+constexpr std::array infos{
+    TableInfo{"dfg", TableKind::dfg, "scale and bias of the split sum: F0 scale + F90 bias", dfg_channels,
+              TableAxes::linear, value_error},
+    TableInfo{"kulla-conty", TableKind::kulla_conty, "directional albedo of GGX for F = 1, and its mean",
+              kulla_conty_channels, TableAxes::linear, value_error},
+    TableInfo{"ltc-ggx", TableKind::ltc_ggx, "GGX as a linearly transformed cosine, with two albedos", ltc_channels,
+              TableAxes::root, lobe_error},
+    TableInfo{"ltc-disney", TableKind::ltc_disney, "the renormalised Disney diffuse as a linearly transformed cosine",
+              std::span(ltc_channels).first<5>(), TableAxes::root, lobe_error},
+};
+static_assert(in_enum_order(infos, &TableInfo::kind, TableKind::ltc_disney));
+
+// The four numbers of the matrix, and the albedo.
+std::array<double, 5> numbers_of(const shading::LtcEntry& e) {
+    return {static_cast<double>(e.along), static_cast<double>(e.raised), static_cast<double>(e.across),
+            static_cast<double>(e.slant), static_cast<double>(e.albedo)};
+}
+
+// The weights of four neighbours about a place between the middle two: E. Catmull and R. Rom, "A class of local
+// interpolating splines", 1974.
+std::array<double, 4> cubic_weights(double t) {
+    return {0.5 * t * (t * (2.0 - t) - 1.0), 0.5 * (t * t * (3.0 * t - 5.0) + 2.0),
+            0.5 * t * (t * (4.0 - 3.0 * t) + 1.0), 0.5 * t * t * (t - 1.0)};
+}
+
+// The fitted entries at √(n·v) = y and roughness x, both in [0, 1]. Beyond the outermost entries their neighbours are
+// continued in a straight line.
+std::array<double, 5> fitted(const shading::LtcEntry* table, std::size_t size, double x, double y) {
+    const auto last = static_cast<double>(size - 1);
+    const auto place = [&](double at) { return std::min(static_cast<std::size_t>(at * last), size - 2); };
+    const std::size_t column = place(x);
+    const std::size_t row = place(y);
+    const std::array across = cubic_weights(x * last - static_cast<double>(column));
+    const std::array down = cubic_weights(y * last - static_cast<double>(row));
+    const auto in_line = [size](std::size_t first, std::size_t k, const auto& at) {
+        using Numbers = decltype(at(first));
+        const auto beyond = [](const Numbers& edge, const Numbers& inner) {
+            Numbers made{};
+            for (std::size_t f = 0; f < made.size(); ++f)
+                made[f] = 2.0 * edge[f] - inner[f];
+            return made;
+        };
+        if (k == 0 && first == 0) return beyond(at(0), at(1));
+        if (first + k > size) return beyond(at(size - 1), at(size - 2));
+        return at(first + k - 1);
+    };
+    std::array<double, 5> sum{};
+    for (std::size_t j = 0; j < 4; ++j) {
+        const auto of_row = [&](std::size_t r) {
+            std::array<double, 5> line{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                const std::array found =
+                    in_line(column, i, [&](std::size_t c) { return numbers_of(table[r * size + c]); });
+                for (std::size_t f = 0; f < line.size(); ++f)
+                    line[f] += across[i] * found[f];
+            }
+            return line;
+        };
+        const std::array line = in_line(row, j, of_row);
+        for (std::size_t f = 0; f < sum.size(); ++f)
+            sum[f] += down[j] * line[f];
+    }
+    return sum;
+}
+
+// Of one axis, in [0, 1]: the place of a texel or of a node of the polynomial.
+double place_of(TableForm form, TableAxes axes, int index, int count) {
+    if (form == TableForm::chebyshev) return 0.5 - 0.5 * std::cos(std::numbers::pi * (index + 0.5) / count);
+    if (axes == TableAxes::linear) return (index + 0.5) / count;
+    return static_cast<double>(index) / (count - 1);
+}
+
+// Replaces values at the nodes of Chebyshev's polynomials by coefficients, along one axis of `count` steps of `stride`.
+void to_coefficients(std::vector<double>& values, std::size_t count, std::size_t stride, std::size_t first) {
+    std::vector<double> found(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            // T_k at the node: cos(k(π − π(i + ½)/count)), for ascending nodes
+            const double turn =
+                std::numbers::pi * (static_cast<double>(count - 1 - i) + 0.5) / static_cast<double>(count);
+            sum += values[first + i * stride] * std::cos(static_cast<double>(k) * turn);
+        }
+        found[k] = sum * (k == 0 ? 1.0 : 2.0) / static_cast<double>(count);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+        values[first + k * stride] = found[k];
+}
+
+// Between which texels a coordinate of [0, 1] lies.
+struct Between {
+    std::size_t first;
+    std::size_t second;
+    double share; // of the second
+};
+
+Between between(TableAxes axes, double at, int count) {
+    const double last = count - 1.0;
+    const double place = std::clamp(axes == TableAxes::linear ? at * count - 0.5 : at * last, 0.0, last);
+    const auto first = static_cast<std::size_t>(place);
+    return {first, std::min(first + 1, static_cast<std::size_t>(count - 1)), place - static_cast<double>(first)};
+}
+
+} // namespace
+
+std::span<const TableInfo> table_infos() {
+    return infos;
+}
+
+const TableInfo& info_of(TableKind kind) {
+    return infos.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view to_text(TableAxes axes) {
+    return axes == TableAxes::linear ? "linear" : "root";
+}
+
+std::string_view to_text(TableForm form) {
+    return form == TableForm::bilinear ? "bilinear" : "chebyshev";
+}
+
+TableValues table_values(TableKind kind, double n_dot_v, double roughness) {
+    // At n·v = 0 the integrals are those of their limit.
+    const double mu = std::clamp(n_dot_v, 1e-6, 1.0);
+    const double r = std::clamp(roughness, 0.0, 1.0);
+    switch (kind) {
+    case TableKind::dfg: {
+        const SplitSum sum = split_sum(mu, r);
+        return {sum.scale, sum.bias};
+    }
+    case TableKind::kulla_conty:
+        return {split_sum(mu, r).albedo(), mean_albedo(r)};
+    case TableKind::ltc_ggx: {
+        const auto [along, raised, across, slant, albedo] =
+            fitted(&shading::ltc_ggx_table[0], shading::ltc_ggx_size, r, std::sqrt(mu));
+        const SplitSum sum = split_sum(mu, r);
+        return {along, raised, across, slant, sum.albedo(), sum.bias};
+    }
+    case TableKind::ltc_disney: {
+        const auto [along, raised, across, slant, albedo] =
+            fitted(&shading::ltc_diffuse_table[0], shading::ltc_diffuse_size, r, std::sqrt(mu));
+        return {along, raised, across, slant, albedo};
+    }
+    }
+    return {};
+}
+
+TableValues ShadingTable::lookup(double n_dot_v, double roughness) const {
+    const double mu = std::clamp(n_dot_v, 0.0, 1.0);
+    const double y = std::clamp(roughness, 0.0, 1.0);
+    const double x = axes == TableAxes::linear ? mu : std::sqrt(mu);
+    const std::size_t count = channels();
+    const auto columns = static_cast<std::size_t>(width);
+    const auto rows = static_cast<std::size_t>(height);
+    TableValues result{};
+    if (form == TableForm::chebyshev) {
+        std::vector<double> line(columns);
+        std::vector<double> sums(rows);
+        for (std::size_t c = 0; c < count; ++c) {
+            for (std::size_t j = 0; j < rows; ++j) {
+                for (std::size_t i = 0; i < columns; ++i)
+                    line[i] = static_cast<double>(values[(j * columns + i) * count + c]);
+                sums[j] = shading::detail::chebyshev_series(line.data(), columns, 2.0 * x - 1.0);
+            }
+            result[c] = shading::detail::chebyshev_series(sums.data(), rows, 2.0 * y - 1.0);
+        }
+        return result;
+    }
+    const Between across = between(axes, x, width);
+    const Between down = between(axes, y, height);
+    for (std::size_t c = 0; c < count; ++c) {
+        const auto at = [&](std::size_t column, std::size_t row) {
+            return static_cast<double>(values[(row * columns + column) * count + c]);
+        };
+        const auto in_row = [&](std::size_t row) {
+            return (1.0 - across.share) * at(across.first, row) + across.share * at(across.second, row);
+        };
+        result[c] = (1.0 - down.share) * in_row(down.first) + down.share * in_row(down.second);
+    }
+    return result;
+}
+
+Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxes axes, int width, int height,
+                                        unsigned threads) {
+    if (std::min(width, height) < least_table_size || std::max(width, height) > most_table_size)
+        return fail("USE0106",
+                    fmt::format("a table has {} to {} texels a side, not {} x {}", least_table_size, most_table_size,
+                                width, height),
+                    "for example 16x16");
+    const TableInfo& info = info_of(kind);
+    if (form == TableForm::chebyshev && !info.has_polynomials())
+        return fail("USE0107", fmt::format("{} has no polynomial", info.name),
+                    "there are polynomials of dfg, kulla-conty and ltc-disney");
+    if (axes == TableAxes::linear && (info.is_lobe() || form == TableForm::chebyshev))
+        return fail("USE0107",
+                    fmt::format("{} has no linear axes", info.is_lobe() ? info.name : std::string_view("a polynomial")),
+                    "use --axes root; dfg and kulla-conty have linear axes in the form bilinear");
+    ShadingTable table{kind, axes, form, width, height, {}};
+    const std::size_t count = table.channels();
+    const auto columns = static_cast<std::size_t>(width);
+    const auto rows = static_cast<std::size_t>(height);
+    std::vector<double> values(columns * rows * count);
+    parallel_for(rows, threads, [&](std::size_t row) {
+        const double roughness = place_of(form, axes, static_cast<int>(row), height);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const double x = place_of(form, axes, static_cast<int>(column), width);
+            const double mu = axes == TableAxes::linear ? x : x * x;
+            // The mean is the same in the whole row, and takes as long as 24 of its texels.
+            if (kind == TableKind::kulla_conty && column > 0) {
+                values[(row * columns + column) * count] = split_sum(std::max(mu, 1e-6), roughness).albedo();
+                values[(row * columns + column) * count + 1] = values[row * columns * count + 1];
+                continue;
+            }
+            const TableValues found = table_values(kind, mu, roughness);
+            std::copy_n(found.begin(), count,
+                        values.begin() + static_cast<std::ptrdiff_t>((row * columns + column) * count));
+        }
+    });
+    if (form == TableForm::chebyshev)
+        for (std::size_t c = 0; c < count; ++c) {
+            for (std::size_t row = 0; row < rows; ++row)
+                to_coefficients(values, columns, count, row * columns * count + c);
+            for (std::size_t column = 0; column < columns; ++column)
+                to_coefficients(values, rows, columns * count, column * count + c);
+        }
+    table.values.reserve(values.size());
+    for (const double value : values)
+        table.values.push_back(static_cast<float>(value));
+    return table;
+}
+
+} // namespace gonio
