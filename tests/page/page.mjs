@@ -344,6 +344,72 @@ await quiet(tab, 'the stage');
 }
 noteStep('stages, display modes, keys and undo work');
 
+// Dimmed light follows from the picture before, with all that bounces.
+{
+  const each = await openPage();
+  await drop(each, [good[0], { name: 'globe.json', text: JSON.stringify({ schema: 'gonio.rig/1', stage: 'room', lights: [{ shape: 'sphere:r=10cm', intensity: '800lm', position: [0, 0.3, 2.3] }] }) }]);
+  await goTo('stage', each);
+  await refined(each);
+  await new Promise((done) => setTimeout(done, 1500));
+  const nextPicture = (least_width) => each.evaluate((least) => new Promise((done) => {
+    const stage = document.querySelector('.stage');
+    const take = ({ detail }) => {
+      if (detail.width < least) return;
+      stage.removeEventListener('picture', take);
+      done({ rendered: detail.rendered, ms: detail.ms, ev100: detail.ev100 });
+    };
+    stage.addEventListener('picture', take);
+  }), least_width);
+  const bright = await each.evaluate(() => Number(document.querySelector('.panel [aria-label="Exposure"]').value));
+  const picture = nextPicture(await each.evaluate(() => document.querySelector('.stage-box canvas').width));
+  await each.evaluate(() => {
+    const range = document.querySelector('.panel input[type=range][aria-label="Dimming"]');
+    range.value = 50;
+    range.dispatchEvent(new Event('input'));
+  });
+  const { rendered, ms, ev100 } = await picture;
+  assert.equal(rendered, false, 'the full picture of half the light is not rendered again');
+  assert.ok(Math.abs(ev100 - (bright - 1)) < 0.06, `half the light is exposed by EV100 ${ev100}, all of it by ${bright}`);
+  figures.dimmed_ms = ms;
+    await quiet(each, 'dimming');
+  await each.close();
+  noteStep(`dimming: the full picture in ${ms.toFixed(1)} ms`);
+}
+
+// Arrays, groups and luminaires of a rig are lights of the page, where the tool has them.
+{
+  const each = await openPage();
+  const rows = { schema: 'gonio.rig/1', stage: 'room', luminaires: { lamp: { shape: `ies:${basename(good[0])}` } }, lights: [
+    { luminaire: 'lamp', name: 'row', position: [0, 0, 2.3], array: { count: [3, 1], spacing: [0.8, 1] } },
+    { name: 'pair', position: [0, 1, 0], rotate: '90deg', lights: [{ shape: 'cylinder:r=3cm,l=30cm', intensity: '300lm', positions: [[0.5, 0, 2], [-0.5, 0, 2]], target: [0, 0, 0] }] },
+  ] };
+  await drop(each, [good[0], { name: 'rows.json', text: JSON.stringify(rows) }]);
+  await goTo('stage', each);
+  await each.waitForFunction(() => document.querySelector('.panel select[aria-label="Light"]')?.options.length === 5, { timeout: 60000 });
+  await refined(each);
+  assert.equal(await each.evaluate(() => document.querySelector('.stage-errors').textContent), '');
+  const positions = [];
+  for (let i = 0; i < 5; ++i) {
+    await each.evaluate((value) => {
+      const select = document.querySelector('.panel select[aria-label="Light"]');
+      select.value = String(value);
+      select.dispatchEvent(new Event('change'));
+    }, i);
+    positions.push(await each.evaluate(() => [...document.querySelectorAll('.panel .three input')].map((input) => Number(input.value))));
+  }
+  made(basename(good[0]), readFileSync(good[0]));
+  const { lights: listed } = nativeJson('rig', 'list', made('rows.json', JSON.stringify(rows)), '--json');
+  positions.forEach((position, i) => position.forEach((value, axis) => assert.ok(Math.abs(value - listed[i].position[axis]) < 0.006, `light ${i}: ${positions[i]}, not ${listed[i].position}`)));
+  await refined(each);
+  await each.screenshot({ path: join(build, 'stage-rows.png') });
+  // What cannot be opened says why.
+  await drop(each, [{ name: 'wrong.json', text: JSON.stringify({ schema: 'gonio.rig/1', lights: [{ luminaire: 'none' }] }) }]);
+  await each.waitForFunction(() => /luminaire/.test(document.getElementById('notice').textContent), { timeout: 60000 });
+  await quiet(each, 'a rig of groups');
+  await each.close();
+  noteStep('arrays, groups and luminaires of a rig are its lights');
+}
+
 for (const name of ['compare', 'export', 'units', 'colour']) {
   await goTo(name);
   await new Promise((done) => setTimeout(done, 2500));
