@@ -27,6 +27,7 @@ const rows = JSON.stringify({
            { name: 'pair', position: [0, 1, 0], rotate: '90deg', lights: [{ shape: 'cylinder:r=3cm,l=30cm', intensity: '300lm', positions: [[0.5, 0, 2], [-0.5, 0, 2]], target: [0, 0, 0] }] }],
 });
 // Scenes and containers of other programs.
+const zipped = async (entries) => new Uint8Array(await zipOf(entries).arrayBuffer());
 const product = `<Root><Header><Manufacturer>Works</Manufacturer><FormatVersion major="1" minor="0" pre-release="3"/></Header><GeneralDefinitions>
 <Files><File id="f1" contentType="ldc/eulumdat" type="localFileName">down.ldt</File></Files>
 <Photometries><Photometry id="p1"><PhotometryFileReference fileId="f1"/></Photometry></Photometries>
@@ -36,8 +37,8 @@ const product = `<Root><Header><Manufacturer>Works</Manufacturer><FormatVersion 
 <Variants><Variant id="one"><Geometry><EmitterReference emitterId="down"/></Geometry></Variant></Variants></ProductDefinitions></Root>
 `;
 const ofOthers = {
-  'lamp.gldf': zipOf({ 'product.xml': Buffer.from(product), 'ldc/down.ldt': profiles['downlight.ldt'] }),
-  'spot.gdtf': zipOf({ 'description.xml': Buffer.from('<GDTF><FixtureType><Geometries><Geometry Name="Base"><Beam Name="Lens"/></Geometry></Geometries></FixtureType></GDTF>') }),
+  'lamp.gldf': await zipped({ 'product.xml': Buffer.from(product), 'ldc/down.ldt': profiles['downlight.ldt'] }),
+  'spot.gdtf': await zipped({ 'description.xml': Buffer.from('<GDTF><FixtureType><Geometries><Geometry Name="Base"><Beam Name="Lens"/></Geometry></Geometries></FixtureType></GDTF>') }),
   'scene.usda': '#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = "Z"\n)\ndef CylinderLight "tube"\n{\n    float inputs:intensity = 500\n    float inputs:length = 1.2\n    float inputs:radius = 0.02\n}\n',
   'scene.gltf': JSON.stringify({
     asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ name: 'key', translation: [0, 2, 0], extensions: { KHR_lights_punctual: { light: 0 } } }],
