@@ -84,18 +84,21 @@ assert.ok(scene.at(40, 50).illuminance_lx > 0 && scene.at(-1, 0) === null);
 const shown = scene.render({ width: 80, height: 60, mode: 'falsecolour', bounces: 0 });
 assert.ok(shown.scale.high > shown.scale.low);
 assert.throws(() => scene.render({ width: 0, height: 60 }), Error);
-// Half the light is half of each pixel without being rendered again; so is another display.
-const full = scene.render({ width: 80, height: 60, exposure: 8 });
-assert.equal(full.rendered, true);
-const fullLux = scene.at(40, 50).illuminance_lx;
-assert.equal(scene.render({ width: 80, height: 60, exposure: 7 }).rendered, false);
-scene.set({ ...rig, lights: [{ ...rig.lights[0], dimming: 0.5 }] });
-assert.equal(scene.render({ width: 80, height: 60, exposure: 8 }).rendered, false);
-assert.ok(Math.abs(scene.at(40, 50).illuminance_lx / fullLux - 0.5) < 1e-6);
-scene.set({ ...rig, lights: [{ ...rig.lights[0], position: [0.2, 0, 2.4] }] });
-assert.equal(scene.render({ width: 80, height: 60, exposure: 8 }).rendered, true);
-scene.set({ ...rig, materials: { floor: 'lambert:albedo=0.1' } });
-assert.equal(scene.render({ width: 80, height: 60, exposure: 8 }).rendered, true);
+// Another display is not rendered again, and half the light is half of each pixel.
+const globe = { ...rig, lights: [{ shape: 'sphere:r=10cm', intensity: '800lm', position: [0, 0, 2.4] }] };
+scene.set(JSON.stringify(globe));
+const size = { width: 80, height: 60 };
+const isRendered = (changed, exposure = 8) => {
+  scene.set({ ...globe, ...changed });
+  return scene.render({ ...size, exposure }).rendered;
+};
+assert.equal(isRendered({}), true);
+const lux_of_all = scene.at(40, 50).illuminance_lx;
+assert.equal(isRendered({}, 7), false);
+assert.equal(isRendered({ lights: [{ ...globe.lights[0], dimming: 0.5 }] }), false);
+assert.ok(Math.abs(scene.at(40, 50).illuminance_lx / lux_of_all - 0.5) < 1e-6);
+assert.equal(isRendered({ lights: [{ ...globe.lights[0], position: [0.2, 0, 2.4] }] }), true);
+assert.equal(isRendered({ materials: { floor: 'lambert:albedo=0.1' } }), true);
 scene.delete();
 // An array and a group are the lights that they stand for.
 const rows = { schema: 'gonio.rig/1', stage: 'room', luminaires: { A: { shape: `ies:${file}`, dimming: '50%' } }, lights: [
