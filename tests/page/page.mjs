@@ -384,13 +384,13 @@ noteStep('stages, display modes, keys and undo work');
   ] };
   await drop(each, [good[0], { name: 'rows.json', text: JSON.stringify(rows) }]);
   await goTo('stage', each);
-  await each.waitForFunction(() => document.querySelector('.panel select[aria-label="Light"]')?.options.length === 5, { timeout: 60000 });
+  await each.waitForFunction(() => [...document.querySelectorAll('.panel .field')].find((field) => field.textContent.startsWith('Light'))?.querySelector('select').options.length === 5, { timeout: 60000 });
   await refined(each);
   assert.equal(await each.evaluate(() => document.querySelector('.stage-errors').textContent), '');
   const positions = [];
   for (let i = 0; i < 5; ++i) {
     await each.evaluate((value) => {
-      const select = document.querySelector('.panel select[aria-label="Light"]');
+      const select = [...document.querySelectorAll('.panel .field')].find((field) => field.textContent.startsWith('Light')).querySelector('select');
       select.value = String(value);
       select.dispatchEvent(new Event('change'));
     }, i);
