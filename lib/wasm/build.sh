@@ -5,7 +5,8 @@
 #   bash lib/wasm/build.sh                        build/wasm/lib/libgonio.a
 #   bash lib/wasm/build.sh -DGONIO_WASM_SIMD=OFF  build/wasm-no-simd/lib/libgonio.a, for engines without SIMD
 #
-# GONIO_WASM_BUILD names another folder to build in. GONIO_PUGIXML_SOURCE names a folder of pugixml.cpp that is already there. GONIO_WASM_TARGETS (gonio) is what is
+# GONIO_WASM_BUILD names another folder to build in. GONIO_PUGIXML_SOURCE names a folder of pugixml.cpp that is already there.
+# GONIO_WASM_TARGETS (gonio) is what is
 # built, GONIO_JOBS (one for each processor) how many compilers run.
 set -euo pipefail
 
