@@ -33,8 +33,8 @@ extern const Command help_command;
 extern const Command completion_command;
 extern const Command version_command;
 
-// One per line, so that two changes to the list do not touch the same line. With GONIO_PAGE_COMMANDS, these are those that the
-// page calls (page/), and nothing else is linked.
+// One per line, so that two changes to the list do not touch the same line. With GONIO_PAGE_COMMANDS, these are those
+// that the page calls (page/), and nothing else is linked.
 // clang-format off
 static constexpr std::array all{
     &units_command,

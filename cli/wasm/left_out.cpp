@@ -1,5 +1,5 @@
-// What the page never asks for, so that it holds no code for it: this stands in its link before the tool and the library. A
-// call that comes here nevertheless is refused.
+// What the page never asks for, so that it holds no code for it: this stands in its link before the tool and the
+// library. A call that comes here nevertheless is refused.
 #include <gonio/preview/capture.hpp>
 
 #include "../preview/compare.hpp"
