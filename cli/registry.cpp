@@ -33,7 +33,8 @@ extern const Command help_command;
 extern const Command completion_command;
 extern const Command version_command;
 
-// One per line, so that two changes to the list do not touch the same line.
+// One per line, so that two changes to the list do not touch the same line. With GONIO_PAGE_COMMANDS, these are those
+// that the page calls (page/), and nothing else is linked.
 // clang-format off
 static constexpr std::array all{
     &units_command,
@@ -41,31 +42,43 @@ static constexpr std::array all{
     &info_command,
     &check_command,
     &convert_command,
+#ifndef GONIO_PAGE_COMMANDS
     &make_command,
     &edit_command,
     &sample_command,
+#endif
     &compare_command,
     &plot_command,
+#ifndef GONIO_PAGE_COMMANDS
     &report_command,
     &sheet_command,
+#endif
     &bake_command,
     &import_command,
+#ifndef GONIO_PAGE_COMMANDS
     &lights_command,
+#endif
     &rig_command,
+#ifndef GONIO_PAGE_COMMANDS
     &probe_command,
     &room_command,
     &road_command,
+#endif
     &preview_command,
+#ifndef GONIO_PAGE_COMMANDS
     &sky_command,
     &shader_command,
+#endif
 #ifndef GONIO_NO_BENCH
     &bench_command,
 #endif
     &explain_command,
     &list_command,
+#ifndef GONIO_PAGE_COMMANDS
     &help_command,
     &completion_command,
     &version_command,
+#endif
 };
 // clang-format on
 

@@ -102,6 +102,80 @@ export interface Profile {
   delete(): void;
 }
 
+export type Vector = [x: number, y: number, z: number];
+
+/** The keys of a light that do not place it. */
+export interface Luminaire {
+  /** As in `list('shapes')`: 'sphere:r=10cm', 'ies:lamp.ies'. */
+  shape: string;
+  /** 800lm, 1200cd, 300lx@2m, 60W@90lm/W; a profile without one shines as measured. */
+  intensity?: string;
+  color?: string;
+  rotate?: string;
+  /** Of a profile: a smooth curve through its table, in steps of this angle. */
+  smooth?: string;
+  range?: string;
+  /** A share from 0 to 1, or '80%'; shares multiply. */
+  dimming?: number | string;
+  maintenance?: number | string;
+}
+
+/** Copies in rows along X, Y and Z, centred at the position. */
+export type LightArray = { count: [number, number] | Vector } &
+  ({ /** From centre to centre [m]. */ spacing?: [number, number] | Vector; room?: never } |
+   { /** Length and width of a room [m], with half the spacing to its walls. */ room: [number, number]; spacing?: never });
+
+/** One place [m] or several. */
+export type Placed = { position?: Vector; positions?: never } | { positions: Vector[]; position?: never };
+
+/** Along which it shines, or the point that it is aimed at. */
+export type Aimed = { direction?: Vector; target?: never } | { target: Vector; direction?: never };
+
+/** A light with a shape, or with the name of a luminaire of the rig and what differs from it. */
+export type RigLight = Placed & Aimed & (Luminaire | (Omit<Luminaire, 'shape'> & { luminaire: string; shape?: never })) &
+  { name?: string; up?: Vector; array?: LightArray; lights?: never };
+
+/** Lights and groups in the frame of the group. */
+export type RigGroup = Placed & {
+  name?: string;
+  lights: (RigLight | RigGroup)[];
+  /** Its Z axis. */
+  up?: Vector;
+  /** About its Z axis, X towards Y. */
+  rotate?: string;
+  array?: LightArray;
+  dimming?: number | string;
+  maintenance?: number | string;
+};
+
+/** One of plane, panel, box, sphere and capsule. */
+export interface RigSurface {
+  name: string;
+  material?: string;
+  emits?: string;
+  plane?: { point?: Vector; normal?: Vector };
+  panel?: { center: Vector; normal: Vector; up?: Vector; width: string; height: string };
+  box?: { center: Vector; size: Vector; up?: Vector; rotate?: string };
+  sphere?: { center: Vector; radius: string };
+  capsule?: { from: Vector; to: Vector; radius: string };
+}
+
+/** The lights of a scene, and what they are shown on. */
+export interface Rig {
+  schema: 'gonio.rig/1';
+  lights: (RigLight | RigGroup)[];
+  /** By name: what lights use instead of a shape. */
+  luminaires?: Record<string, Luminaire>;
+  maintenance?: number | string;
+  sky?: string;
+  /** A name of `list('stages')`, or a stage of one's own. */
+  stage?: string | { name?: string; surfaces: RigSurface[]; figure?: Vector };
+  camera?: { position?: Vector; target?: Vector; up?: Vector; fov?: string };
+  /** Of named surfaces of the stage. */
+  materials?: Record<string, string>;
+  emits?: Record<string, string>;
+}
+
 export interface RenderOptions {
   width: number;
   height: number;
@@ -127,6 +201,8 @@ export interface Picture {
   /** sRGB-encoded, opaque: what `new ImageData(rgba, width, height)` takes. */
   rgba: Uint8ClampedArray;
   ev100: number;
+  /** False: it followed from the last one, as where only amounts and colours of lights, or the display, are others. */
+  rendered: boolean;
   /** Of the display modes falsecolour and luminance, in lux or cd/m². */
   scale: { low: number; high: number; logarithmic: boolean } | null;
   /** Of the display mode isolux: the lines, the lowest first, in lux or cd/m², and their colours from 0 to 255. */
@@ -137,7 +213,7 @@ export interface Picture {
 /** A rig on its stage, for pictures one after another. It keeps memory: call delete(). */
 export interface Scene {
   /** Another rig with the same files, and perhaps more. What is not changed is not computed again. */
-  set(rig: string, files?: Files): void;
+  set(rig: Rig | string, files?: Files): void;
   render(options: RenderOptions): Picture;
   /** Of a pixel of the last picture; null outside of it. */
   at(column: number, row: number): { illuminance_lx: number; luminance_nt: number } | null;
@@ -173,12 +249,12 @@ export interface Gonio {
   /** What `gonio cct --json` reports of '3000K', '2700K/0.003', 'xy(0.44,0.4)', …. */
   cct(color: string, options?: Options): Record<string, any>;
   /** Illuminance of a rig (schema gonio.rig/1): what `gonio probe --json` reports. */
-  probe(rig: object | string, files: Files, options: Options): Record<string, any>;
+  probe(rig: Rig | string, files: Files, options: Options): Record<string, any>;
   /** One picture of a rig. */
-  preview(rig: object | string, files: Files, options: RenderOptions): Picture;
-  Scene: new (rig: string, files?: Files) => Scene;
+  preview(rig: Rig | string, files: Files, options: RenderOptions): Picture;
+  Scene: new (rig: Rig | string, files?: Files) => Scene;
   /** Profiles, or with `rig` a rig, as files of targets: what `gonio import` writes, by path. */
-  importTo(targets: string | string[], files: Files, options?: Options & { rig?: object | string }):
+  importTo(targets: string | string[], files: Files, options?: Options & { rig?: Rig | string }):
     { files: Record<string, Uint8Array>; diagnostics: Diagnostic[] };
   /** Of the WebAssembly; it grows, and never shrinks. */
   readonly memoryBytes: number;

@@ -53,7 +53,15 @@ export async function createGonio() {
     run: tool.run,
     read: tool.read,
     check: tool.check,
-    Scene: tool.Scene,
+    Scene: class extends tool.Scene {
+      constructor(rig, files) {
+        super(jsonText(rig), files);
+      }
+
+      set(rig, files) {
+        super.set(jsonText(rig), files);
+      }
+    },
 
     get memoryBytes() {
       return tool.memoryBytes();

@@ -1,8 +1,8 @@
 // What the page holds: the profiles, the rig that is shown with how it is shown, and what the reader prefers. Others change
 // it through these functions and hear of it by events: 'files', 'file', 'select', 'doc', 'tab', 'prefs', 'history'.
 import { byId, textOf } from './dom.mjs';
-import { Engine, reportOf, Cancelled } from './engine.mjs';
-import { placed, stageOf } from './stages.mjs';
+import { Engine, reportOf, Cancelled, succeeded } from './engine.mjs';
+import { placed, stageOf, withRigDefaults } from './stages.mjs';
 
 const target = new EventTarget();
 export const on = (names, call) => names.split(' ').forEach((name) => target.addEventListener(name, (event) => call(event.detail)));
@@ -271,26 +271,52 @@ export function setDoc(given) {
   return true;
 }
 
-// A rig file, comments included: `rig check` says what is wrong with it.
-export function openRig(text) {
+const greatestRig = 20000; // lights
+
+const lightsOf = (rig) => (Array.isArray(rig?.lights) ? rig.lights.filter(isObject) : []);
+const standsForSeveral = (light) => ['lights', 'array', 'positions', 'luminaire'].some((key) => key in light);
+
+// Files are known here by safe names, also those of luminaires and in groups.
+function useSafeNames(light) {
+  lightsOf(light).forEach(useSafeNames);
+  const match = /^ies:([^,]*)(.*)$/.exec(typeof light.shape === 'string' ? light.shape : '');
+  const base = match?.[1].split('/').pop();
+  const file = match && files.find((each) => each.name === base || each.name === match[1] || each.path === base);
+  if (file) light.shape = `ies:${file.path}${match[2]}`;
+}
+
+// The same rig with each light of its arrays, groups and luminaires written out, by the tool.
+async function expanded(rig) {
+  const inputs = Object.fromEntries(files.map((file) => [file.path, file.bytes]));
+  const answer = succeeded(await commands.run(['rig', 'expand', 'rig.json'], { ...inputs, 'rig.json': JSON.stringify(rig) }, { label: 'reading the rig' }));
+  return JSON.parse(textOf(answer.stdout));
+}
+
+// A rig file, comments included. Resolves to whether it was opened.
+export async function openRig(text) {
+  const refuse = (words) => {
+    notice(document.createTextNode(words));
+    return false;
+  };
   let rig;
   try {
     rig = JSON.parse(text.replace(/("(?:\\.|[^"\\])*")|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, (_, string) => string ?? ''));
   } catch (error) {
-    notice(document.createTextNode(`The rig is not JSON: ${error.message}`));
-    return false;
+    return refuse(`The rig is not JSON: ${error.message}`);
   }
-  // Files are known here by safe names.
-  for (const light of Array.isArray(rig.lights) ? rig.lights : []) {
-    if (typeof light?.shape !== 'string') continue;
-    const match = /^ies:([^,]*)(.*)$/.exec(light.shape);
-    const base = match?.[1].split('/').pop();
-    const file = match && files.find((each) => each.name === base || each.name === match[1] || each.path === base);
-    if (file) light.shape = `ies:${file.path}${match[2]}`;
+  lightsOf(rig).forEach(useSafeNames);
+  if (isObject(rig?.luminaires)) Object.values(rig.luminaires).filter(isObject).forEach(useSafeNames);
+  if (lightsOf(rig).some(standsForSeveral)) {
+    try {
+      rig = await expanded(rig);
+    } catch (error) {
+      return refuse(`The rig cannot be opened: ${error.message}${error.hint ? ` (${error.hint})` : ''}`);
+    }
   }
-  if (setDoc({ rig })) return true;
-  notice(document.createTextNode('The rig has no lights: a rig is JSON with "schema": "gonio.rig/1" and "lights": […]'));
-  return false;
+  if (lightsOf(rig).length > greatestRig)
+    return refuse(`The rig has ${rig.lights.length} lights, and the page takes ${greatestRig}: gonio preview draws them all.`);
+  if (setDoc({ rig: { ...rig, lights: lightsOf(rig).map(withRigDefaults) } })) return true;
+  return refuse('The rig has no lights: a rig is JSON with "schema": "gonio.rig/1" and "lights": […]');
 }
 
 let tabName = 'profile';

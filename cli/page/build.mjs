@@ -1,7 +1,7 @@
 // Builds the page: one HTML file that holds everything, so that it opens from a disk, a server or a mail.
-//   node cli/page/build.mjs GONIO_MJS OUTPUT_HTML
+//   node cli/page/build.mjs GONIO_PAGE_MJS OUTPUT_HTML
 //
-// GONIO_MJS is the module of cli/wasm. Its WebAssembly is taken out of its text, compressed, and compiled once by the page
+// GONIO_PAGE_MJS is the module of cli/wasm with what the page calls; gonio.mjs, with everything, works too. Its WebAssembly is taken out of its text, compressed, and compiled once by the page
 // for all of its workers. The modules of this folder are joined into one script: each imports and exports by name only, and
 // no two have a top-level name in common, which is checked. The same inputs give the same bytes.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -19,7 +19,7 @@ function fail(message) {
 }
 
 const [modulePath, outputPath] = process.argv.slice(2);
-if (!modulePath || !outputPath) fail('usage: node build.mjs GONIO_MJS OUTPUT_HTML');
+if (!modulePath || !outputPath) fail('usage: node build.mjs GONIO_PAGE_MJS OUTPUT_HTML');
 
 // The text of a script must not end its element, nor open a comment of HTML.
 const inScript = (text) => text.replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '<\\!--');

@@ -90,6 +90,12 @@ export function stagePanel(view) {
     control.input.placeholder = /^ies:/.test(activeLight().shape ?? '') ? 'as measured' : '800lm';
   });
 
+  const share = (value) => (typeof value === 'string' ? parseFloat(value) / 100 : value ?? 1);
+  const dimming = keep(numberField('Dimming', { min: 0, max: 100, step: 1, unit: '%', digits: 1 }, (value) => light('dimming', (each) => {
+    if (value === 100) delete each.dimming;
+    else each.dimming = Math.min(100, Math.max(0, value)) / 100;
+  })), (control) => control.show(100 * share(activeLight().dimming)));
+
   // ---- where it is
   const position = ['X', 'Y', 'Z'].map((axis, i) => keep(numberField(axis, { min: -20, max: 20, step: 0.05, unit: 'm', slider: false }, (value) => light(`position-${axis}`, (each) => {
     const next = [...activeLight().position];
@@ -100,6 +106,7 @@ export function stagePanel(view) {
     const angles = anglesOf(activeLight().direction);
     edit(angles);
     each.direction = directionOf(angles.tilt, angles.azimuth);
+    delete each.target;
     delete each.up;
   });
   let azimuth = 0; // kept where the tilt is 0 and it has no meaning
@@ -143,7 +150,7 @@ export function stagePanel(view) {
     delete document.rig.materials;
     delete document.rig.emits;
     const each = document.rig.lights[document.active];
-    for (const key of ['position', 'direction', 'up']) delete each[key];
+    for (const key of ['position', 'direction', 'target', 'up']) delete each[key];
   }))), (control) => {
     const named = typeof doc.rig.stage === 'object' ? [['custom', doc.rig.stage.name ?? 'custom']] : [];
     control.querySelector('select').setEntries([...Object.keys(stages).map((name) => [name, name]), ...named], named.length ? 'custom' : doc.rig.stage ?? 'floor');
@@ -200,7 +207,7 @@ export function stagePanel(view) {
 
   const panel = el('form', { class: 'panel', 'aria-label': 'Controls of the stage', onsubmit: (event) => event.preventDefault() },
     section('Display mode', el('div', { class: 'row' }, mode, unit), exposure, el('label', { class: 'check' }, automatic, ' automatic exposure'), el('div', { class: 'two' }, tone, shadows), bounces),
-    section('Light', which, source, shape, intensity, el('label', { class: 'check' }, coloured, ' colour by its temperature'), kelvin, duv),
+    section('Light', which, source, shape, intensity, dimming, el('label', { class: 'check' }, coloured, ' colour by its temperature'), kelvin, duv),
     section('Position and direction', el('div', { class: 'three' }, ...position), tilt, towards, rotate),
     section('Stage', stage, sky),
     section('Materials', materials));
@@ -223,7 +230,7 @@ async function offerNames() {
   for (const [id, list] of lists) {
     try {
       const { entries } = reportOf(await commands.run(['list', list, '--json']));
-      const typed = { shapes: ['sphere:r=10cm', 'disk:r=20cm', 'rect:w=60cm,h=60cm', 'tube:r=1.3cm,l=1.2m', 'spot:outer=40deg,inner=25deg', 'point'], skies: ['500lx', 'cie:12,sun=180/40,horizontal=20klx'] }[id] ?? entries.map((entry) => entry.name);
+      const typed = { shapes: ['sphere:r=10cm', 'disk:r=20cm', 'rect:w=60cm,h=60cm', 'tube:r=1.3cm,l=1.2m', 'cylinder:r=5cm,l=30cm', 'spot:outer=40deg,inner=25deg', 'point'], skies: ['500lx', 'cie:12,sun=180/40,horizontal=20klx'] }[id] ?? entries.map((entry) => entry.name);
       document.body.append(el('datalist', { id }, ...typed.map((value) => el('option', { value }))));
     } catch (error) {
       say(error.message);

@@ -13,6 +13,7 @@ const frame_ms = 30; // from one picture to the next while moving
 const ready_ms = 2000; // a full picture that takes longer is too much to solve beside it
 const leastPicture = 120 * 80; // pixels of a picture while moving
 const firstPicture = 160 * 107; // of the very first: quick on any machine
+const solving_ms = 60; // that bounced light of other amounts may take in a moving picture
 const still_ms = 140; // without a change, before refining begins
 const refine_ms = 120000; // for a full picture; the next move ends it
 const greatestPicture = 1.6e6; // pixels
@@ -109,7 +110,7 @@ export function stageView() {
   let pace_ms = 0; // of a picture while moving, from question to answer, smoothed
   let cost = 0; // ms per pixel, smoothed
   let pace = []; // times of the last pictures while moving
-  let ready; // readiness() of the moving pictures' worker
+  let ready; // {key, rig, solvesSlowly}: what the moving pictures' worker has solved, and for which lights
   let goodCamera;
   let exposed; // the last full picture: its rig and exposure
   let refiningNow = false;
@@ -234,14 +235,20 @@ export function stageView() {
     const snapshot = JSON.parse(JSON.stringify(doc));
     try {
       const scene = sceneOf(snapshot);
-      const options = renderOptions(snapshot, size.width, size.height, false, ready === readiness(scene, snapshot));
+      const isLit = scene.rig === ready?.rig; // only the camera or the display is another
+      const knows = ready?.key === readiness(scene, snapshot) && (isLit || (!ready.solvesSlowly && placesOf(ready.rig) === placesOf(scene.rig)));
+      const options = renderOptions(snapshot, size.width, size.height, false, knows);
       // While only the camera moves, the exposure of the full picture stays: without bounced light another would be chosen.
       if (options.exposure === 'auto' && scene.rig === exposed?.rig) options.exposure = exposed.ev100;
+      const usual_ms = cost * size.width * size.height;
       const picture = await quick.render(scene, options);
       const end = performance.now();
-      learn(picture, end - begin);
-      // Where even the smallest picture is too slow, bounced light is left out.
+      if (picture.rendered) learn(picture, end - begin);
+      // Where even the smallest picture is too slow, bounced light is left out, and where it takes long to solve for other
+      // amounts, while they change.
       if (options.bounces && pace_ms > 2 * frame_ms && size.width * size.height <= 1.1 * leastPicture) ready = undefined;
+      else if (options.bounces && !isLit && picture.ms > usual_ms + solving_ms) ready.solvesSlowly = true;
+      if (options.bounces && ready) ready.rig = scene.rig;
       if (pace.length && end - pace.at(-1) > 250) pace = [];
       pace.push(end);
       if (pace.length > 20) pace.shift();
@@ -265,17 +272,22 @@ export function stageView() {
     pump();
   }
 
-  // What the moving pictures' worker must have solved for the light that bounces to cost little: the camera alone may change.
-  const readiness = (scene, { view: { bounces, shadows } }) => JSON.stringify([quick.engine.generation, scene.key, scene.rig, bounces, shadows === 'off']);
+  // What the moving pictures' worker must have solved for the light that bounces to cost little: that of the same lights in the
+  // same surroundings, whose amounts alone may change.
+  const placesOf = (rig) => JSON.stringify(JSON.parse(rig).lights.map(({ intensity, dimming, ...rest }) => rest));
+  const readiness = (scene, { view: { bounces, shadows } }) => {
+    const { lights, ...surroundings } = JSON.parse(scene.rig);
+    return JSON.stringify([quick.engine.generation, scene.key, surroundings, bounces, shadows === 'off']);
+  };
 
   // While nothing moves, it solves that by the smallest of pictures.
   async function getReady(scene, snapshot) {
-    const wanted = readiness(scene, snapshot);
-    if (ready === wanted || drawing || dirty) return;
+    const key = readiness(scene, snapshot);
+    if (drawing || dirty || (ready?.key === key && ready.rig === scene.rig)) return;
     drawing = true;
     try {
       await quick.render(scene, renderOptions(snapshot, 16, 16, false, true), { patience: refine_ms });
-      ready = wanted;
+      ready = { key, rig: scene.rig, solvesSlowly: ready?.key === key && ready.solvesSlowly };
     } catch (error) {
       ready = undefined; // the pictures themselves say what is wrong
     }
@@ -391,6 +403,7 @@ export function stageView() {
     const crossed = next < 0;
     editLight('turn', (light) => {
       light.direction = directionOf(Math.min(180, Math.abs(next)), azimuth + azimuthBy + (crossed ? 180 : 0));
+      delete light.target;
       delete light.up;
     });
   }
@@ -490,7 +503,7 @@ export function stageView() {
     change('reset', (document) => {
       delete document.rig.camera;
       const light = document.rig.lights[document.active];
-      for (const key of ['position', 'direction', 'up', 'rotate']) delete light[key];
+      for (const key of ['position', 'direction', 'target', 'up', 'rotate']) delete light[key];
     });
     say('Camera and light are reset');
   }

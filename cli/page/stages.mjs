@@ -50,14 +50,26 @@ export function directionOf(tilt, azimuth) {
 }
 
 // A light of `rig` with its defaults from the stage. Up turns with the direction, so that it is never parallel to it.
-export function placed(light, rig) {
+export function placed({ target, ...light }, rig) {
   const stage = stageOf(rig).light;
   const base = stage.direction ?? down;
-  const direction = light.direction ?? base;
+  const position = light.position ?? stage.position;
+  const direction = target ? subtract(target, position) : light.direction ?? base;
   return {
     ...light,
-    position: light.position ?? stage.position,
+    position,
     direction,
     up: light.up ?? turnedAlong(stage.up ?? [0, 1, 0], base, unit(direction)).map((value) => Math.round(value * 1e6) / 1e6 || 0),
+  };
+}
+
+// A light of a rig file with the defaults that rigs have, which are not those of the stage.
+export function withRigDefaults(light) {
+  const position = light.position ?? [0, 0, 0];
+  const direction = light.target ? subtract(light.target, position) : light.direction ?? down;
+  const isAlongY = Math.hypot(...cross(unit(direction), [0, 1, 0])) < 1e-6;
+  return {
+    ...light, position, ...(light.target ? {} : { direction }),
+    up: light.up ?? (isAlongY ? [0, 0, 1] : [0, 1, 0]),
   };
 }

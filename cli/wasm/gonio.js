@@ -82,11 +82,22 @@ export default async function createGonio() {
 
   const rigName = 'rig.json';
 
+  // A rig but for its lights, as text: what stays where only they change. A rig with comments is compared as a whole.
+  function surroundingsOf(rig) {
+    try {
+      const { lights, luminaires, ...others } = JSON.parse(rig);
+      return JSON.stringify(others);
+    } catch {
+      return rig;
+    }
+  }
+
   // A rig and its files, for pictures one after another. What a change leaves as it was is not computed again.
   gonio.Scene = class {
     constructor(rig, files = {}) {
       this.folder = makeFolder({ ...files, [rigName]: rig });
       this.rig = rig;
+      this.surroundings = surroundingsOf(rig);
       this.preview = new tool.LivePreview();
     }
 
@@ -94,6 +105,7 @@ export default async function createGonio() {
     set(rig, files = {}) {
       if (rig === this.rig && Object.keys(files).length === 0) return;
       this.rig = rig;
+      this.surroundings = surroundingsOf(rig);
       this.lightWords = undefined;
       if (Object.keys(files).length) this.preview.forget();
       putFiles(this.folder, { ...files, [rigName]: rig });
@@ -107,16 +119,19 @@ export default async function createGonio() {
       }
       if (shadows) list.push('--shadows', shadows);
       if (bounces !== undefined) list.push('--indirect', bounces < 0 ? 'all' : bounces === 0 ? 'off' : `${bounces}`);
+      list.push(...words);
+      const scene = [this.surroundings, ...list].join('\n');
       const shown = mode && mode !== 'beauty';
       if (shown) list.push('--look', mode, '--no-legend');
       if (shown && unit) list.push('--unit', unit);
       if (mode !== 'falsecolour' && exposure !== undefined && exposure !== 'auto') list.push('--exposure', `${exposure}ev`);
       if (view) list.push('--view', view);
       const lightWords = words.join('\n');
-      const hasSameLights = lightWords === this.lightWords;
-      this.lightWords = undefined; // until there is a picture
-      const picture = inFolder(this.folder, () => this.preview.render([...list, ...words], hasSameLights));
+      const [hasSameLights, hasSameScene] = [lightWords === this.lightWords, scene === this.scene];
+      this.lightWords = this.scene = undefined; // until there is a picture
+      const picture = inFolder(this.folder, () => this.preview.render(list, hasSameLights, hasSameScene));
       this.lightWords = lightWords;
+      this.scene = scene;
       return picture;
     }
 

@@ -1,9 +1,11 @@
 // Pictures one after another while one moves lights and camera: what `gonio preview` makes of the same words, as
 // pixels. What a change leaves as it was is not computed again.
 #include <gonio/light/kept_profiles.hpp>
+#include <gonio/light/light_change.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/media/dither.hpp>
 #include <gonio/plot/picture_contours.hpp>
+#include <gonio/preview/relit.hpp>
 #include <gonio/preview/render.hpp>
 
 #include "../arguments.hpp"
@@ -22,6 +24,8 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -66,8 +70,9 @@ val lines_of(const ShownPicture& shown, const PreviewRequest& request) {
 class LivePreview {
 public:
     // `list`: the words after `gonio preview`. `has_same_lights`: the rig and all words about lights are those of the
-    // last picture. Throws an Error of JavaScript.
-    val render(const val& list, bool has_same_lights) {
+    // last picture. `has_same_scene`: but for lights and display, so are the rig and all words. Throws an Error of
+    // JavaScript.
+    val render(const val& list, bool has_same_lights, bool has_same_scene) {
         Words words(list);
         Arguments arguments = value_of(Arguments::parse(*find_command("preview"), words.pointers()));
         const detail::KeepingProfiles keeping(profiles_);
@@ -77,14 +82,10 @@ public:
         if (!has_same_lights || lights_.empty())
             lights_ = value_of(resolve_input(request.lights, diagnostics, request.render.threads));
         const std::vector<Light>& lights = lights_;
-        RenderOptions& options = request.render;
-        options.illuminance = true;
-        options.known = known_;
-        const PictureMethod method = method_of(options);
-        if (Result<void> ready = prepare(options, {&method, 1}, request.stage, lights, request.probe_at); !ready)
-            wasm::throw_js(ready.error());
-        Rendering rendering = value_of(gonio::render(request.stage, lights, request.stage.camera, options));
-        if (rendering.indirect) known_ = rendering.indirect;
+        std::optional<Rendering> followed;
+        if (has_same_scene) followed = from_the_last(lights, has_same_lights, request.render);
+        const bool is_rendered = !followed;
+        Rendering rendering = followed ? *std::move(followed) : rendered(request, lights);
         luminance_nt_ = rendering.luminance_nt;
         illuminance_lx_ = rendering.illuminance_lx;
         Console console;
@@ -98,6 +99,7 @@ public:
         picture.set("rgba",
                     val::global("Uint8ClampedArray").new_(emscripten::typed_memory_view(rgba.size(), rgba.data())));
         picture.set("ev100", shown.exposure.value);
+        picture.set("rendered", is_rendered);
         picture.set("scale", val::null());
         if (shown.scale) {
             val scale = val::object();
@@ -112,7 +114,11 @@ public:
     }
 
     // The files are no longer what they were.
-    void forget() { profiles_.clear(); }
+    void forget() {
+        profiles_.clear();
+        lights_.clear();
+        last_.reset();
+    }
 
     // {illuminance_lx, luminance_nt} of a pixel of the last picture; null outside of it.
     val at(int column, int row) const {
@@ -126,8 +132,37 @@ public:
     }
 
 private:
+    // A picture as it was rendered, and its lights.
+    struct Last {
+        std::vector<Light> lights;
+        Rendering rendering;
+    };
+
+    // What follows from the last picture that was rendered, where nothing but amounts and colours of lights is another.
+    std::optional<Rendering> from_the_last(std::span<const Light> lights, bool are_same,
+                                           const RenderOptions& options) const {
+        if (!last_) return std::nullopt;
+        if (!options.sky.is_dark()) return are_same ? std::optional(last_->rendering) : std::nullopt;
+        if (!differ_in_amount_alone(last_->lights, lights)) return std::nullopt;
+        return relit(last_->rendering, last_->lights, lights);
+    }
+
+    Rendering rendered(PreviewRequest& request, const std::vector<Light>& lights) {
+        RenderOptions& options = request.render;
+        options.illuminance = true;
+        options.known = known_;
+        const PictureMethod method = method_of(options);
+        if (Result<void> ready = prepare(options, {&method, 1}, request.stage, lights, request.probe_at); !ready)
+            wasm::throw_js(ready.error());
+        Rendering rendering = value_of(gonio::render(request.stage, lights, request.stage.camera, options));
+        if (rendering.indirect) known_ = rendering.indirect;
+        last_ = Last{lights, rendering};
+        return rendering;
+    }
+
     detail::KeptProfiles profiles_;
     std::vector<Light> lights_;
+    std::optional<Last> last_;
     std::shared_ptr<const Interreflection> known_;
     Image luminance_nt_;
     Image illuminance_lx_;

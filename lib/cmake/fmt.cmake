@@ -10,7 +10,7 @@ if(fmt_VERSION VERSION_GREATER_EQUAL 9 AND fmt_VERSION VERSION_LESS 10)
     endif()
     set(gonio_fmt_source fmt_library.cpp)
     # Neither std::locale, which brings all of its facets, nor the software of 128-bit numbers.
-    if(GONIO_WASM_SMALL)
+    if(EMSCRIPTEN)
         target_compile_definitions(gonio-fmt INTERFACE "FMT_STATIC_THOUSANDS_SEPARATOR=','" FMT_USE_LONG_DOUBLE=0
                                                        FMT_USE_INT128=0)
     endif()

@@ -5,7 +5,9 @@
 #   bash lib/wasm/build.sh                        build/wasm/lib/libgonio.a
 #   bash lib/wasm/build.sh -DGONIO_WASM_SIMD=OFF  build/wasm-no-simd/lib/libgonio.a, for engines without SIMD
 #
-# GONIO_WASM_BUILD names another folder to build in. GONIO_PUGIXML_SOURCE names a folder of pugixml.cpp that is already there. GONIO_WASM_TARGETS (gonio) is what is built.
+# GONIO_WASM_BUILD names another folder to build in. GONIO_PUGIXML_SOURCE names a folder of pugixml.cpp that is already there.
+# GONIO_WASM_TARGETS (gonio) is what is
+# built, GONIO_JOBS (one for each processor) how many compilers run.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -55,7 +57,7 @@ others=()
 for target in "${targets[@]}"; do
     if [[ $target == gonio-core-module ]]; then # in a folder of its own, since all of it is compiled otherwise
         configure "$folder-small" -DGONIO_WASM_SMALL=ON "$@"
-        cmake --build "$folder-small" --parallel "$(nproc)" --target gonio-core-module
+        cmake --build "$folder-small" --parallel "${GONIO_JOBS:-$(nproc)}" --target gonio-core-module
         mkdir -p "$folder"
         cp "$folder-small/gonio-core.mjs" "$folder"
     else
@@ -64,5 +66,5 @@ for target in "${targets[@]}"; do
 done
 if ((${#others[@]} > 0)); then
     configure "$folder" "$@"
-    cmake --build "$folder" --parallel "$(nproc)" --target "${others[@]}"
+    cmake --build "$folder" --parallel "${GONIO_JOBS:-$(nproc)}" --target "${others[@]}"
 fi

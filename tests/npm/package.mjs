@@ -84,7 +84,29 @@ assert.ok(scene.at(40, 50).illuminance_lx > 0 && scene.at(-1, 0) === null);
 const shown = scene.render({ width: 80, height: 60, mode: 'falsecolour', bounces: 0 });
 assert.ok(shown.scale.high > shown.scale.low);
 assert.throws(() => scene.render({ width: 0, height: 60 }), Error);
+// Another display is not rendered again, and half the light is half of each pixel.
+const globe = { ...rig, lights: [{ shape: 'sphere:r=10cm', intensity: '800lm', position: [0, 0, 2.4] }] };
+scene.set(JSON.stringify(globe));
+const size = { width: 80, height: 60 };
+const isRendered = (changed, exposure = 8) => {
+  scene.set({ ...globe, ...changed });
+  return scene.render({ ...size, exposure }).rendered;
+};
+assert.equal(isRendered({}), true);
+const lux_of_all = scene.at(40, 50).illuminance_lx;
+assert.equal(isRendered({}, 7), false);
+assert.equal(isRendered({ lights: [{ ...globe.lights[0], dimming: 0.5 }] }), false);
+assert.ok(Math.abs(scene.at(40, 50).illuminance_lx / lux_of_all - 0.5) < 1e-6);
+assert.equal(isRendered({ lights: [{ ...globe.lights[0], position: [0.2, 0, 2.4] }] }), true);
+assert.equal(isRendered({ materials: { floor: 'lambert:albedo=0.1' } }), true);
 scene.delete();
+// An array and a group are the lights that they stand for.
+const rows = { schema: 'gonio.rig/1', stage: 'room', luminaires: { A: { shape: `ies:${file}`, dimming: '50%' } }, lights: [
+  { luminaire: 'A', position: [0, 0, 2.4], array: { count: [2, 1], spacing: [1, 1] } }, { position: [0, 0.5, 0], lights: [{ luminaire: 'A', position: [0, 0, 2.4] }] }] };
+const places = [[-0.5, 0, 2.4], [0.5, 0, 2.4], [0, 0.5, 2.4]];
+const singles = { ...rig, lights: places.map((position) => ({ shape: `ies:${file}`, dimming: 0.5, position })) };
+const [ofRows, ofSingles] = [rows, singles].map((each) => gonio.preview(each, { [file]: lamp }, { width: 64, height: 48 }));
+assert.deepEqual(ofRows.rgba, ofSingles.rgba);
 
 // targets
 const made = gonio.importTo(['gltf', 'unity', 'threejs'], { [file]: lamp }, { flux: '800lm' });

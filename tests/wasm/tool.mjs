@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { inflateSync } from 'node:zlib';
+import { zipOf } from '../../cli/page/zip.mjs';
 import { decodePng } from './png.mjs';
 
 const [module, tool] = process.argv.slice(2).map((path) => resolve(path));
@@ -20,7 +21,31 @@ const rig = JSON.stringify({
   lights: [{ shape: 'ies:downlight.ies', position: [0.3, 0.1, 2.4] },
            { name: 'bulb', shape: 'sphere:r=6cm', intensity: '300lm', color: '2700K', position: [-0.8, 0.4, 1.2] }],
 });
-const given = { ...profiles, 'rig.json': rig, 'broken.ies': profiles['downlight.ies'].subarray(0, 700), 'out/': '' };
+const rows = JSON.stringify({
+  schema: 'gonio.rig/1', stage: 'room', luminaires: { lamp: { shape: 'ies:downlight.ies' } },
+  lights: [{ luminaire: 'lamp', name: 'row', position: [0, 0, 2.3], array: { count: [3, 2], spacing: [0.8, 1] } },
+           { name: 'pair', position: [0, 1, 0], rotate: '90deg', lights: [{ shape: 'cylinder:r=3cm,l=30cm', intensity: '300lm', positions: [[0.5, 0, 2], [-0.5, 0, 2]], target: [0, 0, 0] }] }],
+});
+// Scenes and containers of other programs.
+const zipped = async (entries) => new Uint8Array(await zipOf(entries).arrayBuffer());
+const product = `<Root><Header><Manufacturer>Works</Manufacturer><FormatVersion major="1" minor="0" pre-release="3"/></Header><GeneralDefinitions>
+<Files><File id="f1" contentType="ldc/eulumdat" type="localFileName">down.ldt</File></Files>
+<Photometries><Photometry id="p1"><PhotometryFileReference fileId="f1"/></Photometry></Photometries>
+<LightSources><FixedLightSource id="led"><RatedInputPower>12</RatedInputPower></FixedLightSource></LightSources>
+<Emitters><Emitter id="down"><FixedLightEmitter><PhotometryReference photometryId="p1"/><LightSourceReference fixedLightSourceId="led"/><RatedLuminousFlux>1000</RatedLuminousFlux></FixedLightEmitter></Emitter></Emitters>
+</GeneralDefinitions><ProductDefinitions><ProductMetaData><Name><Locale language="en">Lamp</Locale></Name></ProductMetaData>
+<Variants><Variant id="one"><Geometry><EmitterReference emitterId="down"/></Geometry></Variant></Variants></ProductDefinitions></Root>
+`;
+const ofOthers = {
+  'lamp.gldf': await zipped({ 'product.xml': Buffer.from(product), 'ldc/down.ldt': profiles['downlight.ldt'] }),
+  'spot.gdtf': await zipped({ 'description.xml': Buffer.from('<GDTF><FixtureType><Geometries><Geometry Name="Base"><Beam Name="Lens"/></Geometry></Geometries></FixtureType></GDTF>') }),
+  'scene.usda': '#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = "Z"\n)\ndef CylinderLight "tube"\n{\n    float inputs:intensity = 500\n    float inputs:length = 1.2\n    float inputs:radius = 0.02\n}\n',
+  'scene.gltf': JSON.stringify({
+    asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ name: 'key', translation: [0, 2, 0], extensions: { KHR_lights_punctual: { light: 0 } } }],
+    extensionsUsed: ['KHR_lights_punctual'], extensions: { KHR_lights_punctual: { lights: [{ name: 'key', type: 'point', intensity: 60 }] } },
+  }),
+};
+const given = { ...profiles, ...ofOthers, 'rig.json': rig, 'rows.json': rows, 'broken.ies': profiles['downlight.ies'].subarray(0, 700), 'out/': '' };
 
 function runTool(words) {
   const here = mkdtempSync(join(tmpdir(), 'gonio-'));
@@ -154,6 +179,17 @@ const commands = [
   ['bake', 'street.ldt', '--layout', 'latlong', '-s', '65x33', '-o', 'x.exr', '-q'],
   ['bake', 'street.ldt', '--layout', 'octahedral', '-s', '32x32', '--pixel', 'half', '-o', 'x.exr', '-q'],
   ['plot', 'downlight.ies', '--diagram', 'polar', '-o', 'x.svg'],
+  ['rig', 'list', 'rows.json'], ['rig', 'expand', 'rows.json'], ['rig', 'check', 'rig.json', 'rows.json', '--json'],
+  ['probe', '--rig', 'rows.json', '--at', '0,0,0', '--json'], ['preview', '--rig', 'rows.json', '-s', '96x64', '-o', 'x.png'],
+  ['import', 'rows.json', '--to', 'gltf,usd', '-O', 'out', '-q'],
+  ['info', 'lamp.gldf'], ['check', 'lamp.gldf', '--json'], ['convert', 'lamp.gldf', '--to', 'ies', '-o', 'x.ies', '-q'],
+  ...Object.keys(ofOthers).map((name) => ['lights', name]), ['lights', 'scene.gltf', '--to-rig', '-o', 'x.json', '-q'],
+  ['lights', 'scene.gltf', '--audit', '--json'], ['lights', '--script', 'unreal'],
+  ['shader', '--light', 'rect,cylinder', '--lang', 'wgsl'], ['shader', '--material', 'gltf', '--lang', 'glsl-es300'],
+  ['units', '800lm', '--shape', 'cylinder:r=3cm,l=30cm', '--to', 'nt', '--json'],
+  ['room', '6x4x2.8', '--luminaire', 'downlight.ies', '--for', '300lx', '--json'],
+  ['road', '7m', '--luminaire', 'street.ldt', '--height', '8m', '--spacing', '30m', '--json'],
+  ['sheet', 'downlight.ies', '-o', 'x.svg', '-q'], ['make', '--flux', '800lm', '--beam', '36deg', '-o', 'x.ies'],
   ['preview', 'downlight.ies', '-s', '96x64', '-o', 'x.png'],
   ['preview', '--rig', 'rig.json', '-s', '96x64', '-o', 'x.png', '--view', 'Filmic'],
   ['preview', '--rig', 'rig.json', '-s', '96x64', '-o', 'x.png', '--look', 'falsecolour'],

@@ -263,6 +263,14 @@ void approximate_sun(const Surfaces& surfaces, const LightConstants& light_const
     });
 }
 
+#ifdef GONIO_STANDARD_METHODS
+// Where nobody can choose a method, none is compiled but the exact one: others give no number.
+template<class S>
+void approximate_any(const Surfaces& surfaces, const LightConstants& /*light*/, Approximation /*method*/, float* lx) {
+    for (std::size_t i = 0; i < surfaces.count; ++i)
+        lx[i] = __builtin_nanf("");
+}
+#else
 template<class S>
 void approximate_any(const Surfaces& surfaces, const LightConstants& light, Approximation method, float* lx) {
     if (light.kind == LightConstants::Kind::sun) return approximate_sun<S>(surfaces, light, lx);
@@ -272,6 +280,7 @@ void approximate_any(const Surfaces& surfaces, const LightConstants& light, Appr
         approximate_light<S, Light<S>>(surfaces, light, method, lx);
     });
 }
+#endif
 
 // The tables, each defined in the file that is compiled for its instruction set.
 extern const Kernels kernels_scalar;

@@ -43,9 +43,16 @@ void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_co
     });
 }
 
+// With GONIO_STANDARD_METHODS, where nobody can choose a method, none is compiled but the standard one: others give no
+// number.
 template<class S, class Light, class Lobe>
 void specular_light(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                     float* scale, float* grazing) {
+#ifdef GONIO_STANDARD_METHODS
+    if (method == SpecularMethod::ltc) return specular_ltc_batch<S, Light, Lobe>(surfaces, light, lobe, scale, grazing);
+    for (std::size_t i = 0; i < surfaces.count; ++i)
+        scale[i] = grazing[i] = __builtin_nanf("");
+#else
     switch (method) {
     case SpecularMethod::ltc:
         return specular_ltc_batch<S, Light, Lobe>(surfaces, light, lobe, scale, grazing);
@@ -62,6 +69,7 @@ void specular_light(const Surfaces& surfaces, const LightConstants& light, const
     case SpecularMethod::sun_disk:
         return specular_batch<S, Light, Lobe, SpecularMethod::sun_disk>(surfaces, light, lobe, scale, grazing);
     }
+#endif
 }
 
 template<class S, class Lobe>

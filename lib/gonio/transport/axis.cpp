@@ -1,5 +1,6 @@
 #include <gonio/transport/axis.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
