@@ -6,6 +6,7 @@
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/shade.hpp>
 
+#include "../scaled.hpp"
 #include "poses.hpp"
 
 #include <gtest/gtest.h>
@@ -24,16 +25,8 @@ using namespace gonio::shading;
 using gonio::measure::AreaCases;
 using gonio::measure::Random;
 using gonio::measure::Stratum;
+using gonio::test::scaled;
 using Kind = LightConstants::Kind;
-
-constexpr std::size_t scaled(std::size_t count) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    return count / 20;
-#endif
-#endif
-    return count;
-}
 
 // Base colour and other parameters 0.5, with a dielectric's reflectance.
 const Frostbite<float> painted{{0.5F, 0.5F, 0.5F}, {0.04F, 0.04F, 0.04F}, 1.0F, 0.5F, 0.25F};
@@ -68,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_P(AreaKernels, FloatWithinItsBarOfDouble) {
-    const AreaCases cases = gonio::measure::area_cases(kind, scaled(200'000), 21);
+    const AreaCases cases = gonio::measure::area_cases(kind, scaled(std::size_t{200'000}), 21);
     const std::vector<double> truth = gonio::measure::area_truth(cases);
     const std::vector<float> lx = run(cases);
     double worst_share = 0.0;
@@ -197,7 +190,7 @@ TEST_P(AreaKernels, ReceiversOnTheLightAmongOthers) {
 
 TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     Random random(35);
-    const std::size_t count = scaled(15'625); // × 64 lights: a million points
+    const std::size_t count = scaled(std::size_t{15'625}); // × 64 lights: a million points
     std::vector<float> arrays[12];
     for (std::size_t i = 0; i < count; ++i) {
         const poses::Vec n = i % 4 == 0 ? poses::Vec{0.0, 0.0, 1.0} : poses::random_direction(random);
@@ -250,7 +243,7 @@ TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
 
 // The kernels against shade.hpp in double.
 TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
-    const AreaCases cases = gonio::measure::area_cases(kind, scaled(20'000), 25);
+    const AreaCases cases = gonio::measure::area_cases(kind, scaled(std::size_t{20'000}), 25);
     std::vector<float> view[3];
     Random random(26);
     for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <gonio/shading/coated.hpp>
 #include <gonio/shading/furnace.hpp>
 
+#include "../scaled.hpp"
 #include "brdf_cases.hpp"
 #include "poses.hpp"
 
@@ -142,6 +143,7 @@ void each_white_base(const Visit& visit) {
 TEST(Coat, GainsNothingOverAnyBase) {
     each_white_base([](const std::string& name, const auto& base) {
         for (const double mu : {0.01, 0.1, 0.3, 0.6, 1.0}) {
+            if (gonio::test::is_sanitized && mu > 0.1) break;
             const double alone = albedo(base, mu);
             for (const double smoothness : {1.0, 0.5}) {
                 const auto material = coated(base, 1.0, smoothness);

@@ -5,7 +5,7 @@
 
 #include "area_truth.hpp"
 #include "poses.hpp"
-#include "scaled.hpp"
+#include "../scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using gonio::measure::hostile::Stratum;
 using gonio::measure::hostile::stratum_count;
 using gonio::measure::hostile::stratum_names;
 using poses::Random;
-using poses::scaled;
+using gonio::test::scaled;
 using poses::Vec;
 
 constexpr double pi = std::numbers::pi;

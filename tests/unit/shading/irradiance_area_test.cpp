@@ -5,7 +5,7 @@
 
 #include "../reference_rows.hpp"
 #include "area_truth.hpp"
-#include "scaled.hpp"
+#include "../scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using area::Pose;
 using area::Shape;
 using area::subtended;
 using poses::Random;
-using poses::scaled;
+using gonio::test::scaled;
 using poses::Vec;
 constexpr double pi = std::numbers::pi;
 

@@ -1,6 +1,6 @@
 // Every shape in every stratum of poses: double against the outline in long double, float against double.
 #include "long_double_truth.hpp"
-#include "scaled.hpp"
+#include "../scaled.hpp"
 #include "stratified_poses.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using area::Pose;
 using area::Shape;
 using area::Stratum;
 using poses::Random;
-using poses::scaled;
+using gonio::test::scaled;
 
 class StratifiedIrradiance : public testing::TestWithParam<Shape> {};
 
