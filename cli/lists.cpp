@@ -431,6 +431,17 @@ Entries targets() {
     return entries;
 }
 
+Entries table_axes() {
+    return {
+        {std::string(to_text(TableAxes::linear)), "u = n.v, v = roughness, texels in the middle of equal parts"},
+        {std::string(to_text(TableAxes::root)), "u by the square root of n.v, the first and last texel on 0 and 1"}};
+}
+
+Entries table_forms() {
+    return {{std::string(to_text(TableForm::bilinear)), "texels"},
+            {std::string(to_text(TableForm::chebyshev)), "the coefficients of a polynomial"}};
+}
+
 Entries tables() {
     Entries entries;
     for (const TableInfo& table : table_infos())
@@ -487,6 +498,8 @@ constexpr std::array lists{
     NamedList{"suites", "what bench measures", suites},
 #endif
     NamedList{"sweeps", "parameters that preview --sweep changes", sweeps},
+    NamedList{"table-axes", "where bake --table puts its texels", table_axes},
+    NamedList{"table-forms", "how bake --table stores its numbers", table_forms},
     NamedList{"tables", "tables of bake --table", tables},
     NamedList{"targets", "programs that import writes for", targets},
     NamedList{"tasks", "what standards require of light", tasks},

@@ -4,6 +4,7 @@
 #include <gonio/base/json_text.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/path.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/table/dds.hpp>
 #include <gonio/table/stored_table.hpp>
@@ -72,16 +73,15 @@ Result<void> refuse_others(const Command& command, const Arguments& arguments) {
         for (const Option& option : group.options) {
             const std::string_view name = spellings(option).back();
             if (arguments.has(name) && std::find(used_options.begin(), used_options.end(), name) == used_options.end())
-                return fail("USE0107", fmt::format("{} is for profiles, not for --table", name),
-                            "gonio bake --table dfg -s 32 -o dfg.dds");
+                return fail("USE0107", fmt::format("--table does not take {}", name),
+                            "leave it out; for example gonio bake --table dfg -s 32 -o dfg.dds");
         }
     return {};
 }
 
 Result<const Format*> format_of(const Arguments& arguments, const std::string& output) {
-    if (const auto named = arguments.value("--to")) return find_named("format of tables", *named, formats);
-    const std::size_t point = output.rfind('.');
-    const std::string ending = point == std::string::npos ? std::string() : output.substr(point + 1);
+    if (const auto named = arguments.value("--to")) return find_named("format of tables", to_lower(*named), formats);
+    const std::string ending = to_lower(extension_of(output));
     for (const Format& format : formats)
         if (!ending.empty() &&
             std::find(format.extensions.begin(), format.extensions.end(), ending) != format.extensions.end())
@@ -141,12 +141,17 @@ Result<Wanted> wanted(const Arguments& arguments) {
     if (!want.format->holds_polynomials && want.form == TableForm::chebyshev)
         return fail("USE0107", fmt::format("{} stores pictures, and a polynomial is none", want.format->name),
                     "write .h, .json or .raw");
+    if (want.form == TableForm::chebyshev && want.format->name == "header" && want.pixel == TablePixel::half)
+        return fail("USE0107", "a header stores the terms of a polynomial as float, not as half",
+                    "leave --pixel half out, or write .raw or .json");
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     want.threads = *threads;
     if (arguments.value("--sidecar") && (want.format->has_values || arguments.has("--no-sidecar")))
-        return fail("USE0107", want.format->has_values ? "a table in JSON is its own sidecar, but --sidecar is given"
-                                                       : "--sidecar and --no-sidecar are both given");
+        return fail("USE0107",
+                    want.format->has_values ? "a table in JSON is its own sidecar, but --sidecar is given"
+                                            : "--sidecar and --no-sidecar are both given",
+                    "leave --sidecar out");
     if (!want.format->has_values && !arguments.has("--no-sidecar")) {
         want.sidecar = arguments.value("--sidecar");
         if (!want.sidecar && want.output != "-") want.sidecar = want.output + ".json";
@@ -183,7 +188,8 @@ Result<int> bake_table(const Command& command, const Arguments& arguments, Conso
     Result<Wanted> want = wanted(arguments);
     if (!want) return pass_on(want);
     const ReportKind kind = report_kind(arguments);
-    if (kind != ReportKind::words && want->output == "-") return both_to_standard_output("table");
+    if (kind != ReportKind::words && (want->output == "-" || want->sidecar == "-"))
+        return both_to_standard_output(want->output == "-" ? "table" : "sidecar");
     Result<ShadingTable> table =
         make_shading_table(want->kind, want->form, want->axes, want->width, want->height, want->threads);
     if (!table) return pass_on(table);

@@ -71,6 +71,7 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
     const ReportKind kind = report_kind(arguments);
     if ((kind != ReportKind::words || first.stats) && arguments.value("--output") == "-")
         return both_to_standard_output();
+    if (kind != ReportKind::words && first.sidecar == "-") return both_to_standard_output("sidecar");
     std::vector<std::string> outputs;
     for (const TextureJob& job : jobs)
         outputs.insert(outputs.end(), job.pictures.begin(), job.pictures.end());
@@ -114,7 +115,7 @@ int run(const Arguments& arguments, Console& console) {
 
 const Command bake_command{
     "bake",
-    "write a profile as a texture of exact means, with a sidecar",
+    "write a profile as a texture of exact means, or a table for shaders, with a sidecar",
     "FILE… --layout LAYOUT -s WxH -o OUT | --table NAME -s N -o OUT",
     "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
     "for a list of files. EXR files also carry the fields of the sidecar as attributes gonio:…;\n"
@@ -122,9 +123,10 @@ const Command bake_command{
     "options, or if the texture does not hold the bytes that the sidecar names; without a sidecar,\n"
     "if it is older than its input.\n"
     "\n"
-    "--table takes no FILE. OUT ends in .exr, .dds, .raw, .bin, .h, .hpp or .json; --pixel may also be rgb9e5, and\n"
-    "integers go over the range of each channel. The sidecar has the axes, the lookup in GLSL and HLSL, and its\n"
-    "error against quadrature.",
+    "--table takes no FILE. OUT ends in .exr, .dds, .raw, .bin, .h, .hpp or .json. The size is 32\n"
+    "texels a side, or 10 terms, unless -s says so; pixels are float unless --pixel says so, and\n"
+    "integers go over the range of each channel. The sidecar has the axes, the lookup in GLSL and\n"
+    "HLSL, and its error against quadrature.",
     groups,
     examples,
     run};

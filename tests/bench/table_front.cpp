@@ -128,7 +128,7 @@ std::vector<Row> rows_of(TableKind kind, const std::string& folder) {
     return rows;
 }
 
-// Which rows no other beats in both bytes and the error of 95 %.
+// Which rows no other beats: as good in bytes and in the error of 95 %, and better in one of them.
 std::vector<bool> front_of(const std::vector<Row>& rows) {
     std::vector<measure::ErrorAndTime> points;
     for (const Row& row : rows)

@@ -14,6 +14,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -33,11 +34,19 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr GLenum time_elapsed = 0x88BF; // GL_TIME_ELAPSED_EXT of GL_EXT_disjoint_timer_query
+constexpr GLenum disjoint = 0x8FBB;     // GL_GPU_DISJOINT_EXT
 constexpr int group_size = 64;
 // How often a thread evaluates the function where it is timed.
 constexpr int evaluations = 64;
 
-// An OpenGL ES context without a window: of the first device that gives one, or of the default display.
+// Whether a processor draws instead of a GPU.
+bool is_software() {
+    const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos ||
+           renderer.find("SwiftShader") != std::string::npos;
+}
+
+// An OpenGL ES context without a window: of the first GPU that gives one, else of what imitates one.
 void make_context() {
     std::vector<EGLDisplay> displays;
     const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
@@ -52,14 +61,20 @@ void make_context() {
                     display_of(EGL_PLATFORM_DEVICE_EXT, devices.at(static_cast<std::size_t>(i)), nullptr));
     }
     displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+    std::pair<EGLDisplay, EGLContext> software{EGL_NO_DISPLAY, EGL_NO_CONTEXT};
     for (EGLDisplay display : displays) {
         if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) continue;
         const std::array<EGLint, 5> version{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
         if (eglBindAPI(EGL_OPENGL_ES_API) != EGL_TRUE) continue;
         EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version.data());
-        if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE)
-            return;
+        if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE)
+            continue;
+        if (!is_software()) return;
+        if (software.second == EGL_NO_CONTEXT) software = {display, context};
     }
+    if (software.second != EGL_NO_CONTEXT &&
+        eglMakeCurrent(software.first, EGL_NO_SURFACE, EGL_NO_SURFACE, software.second) == EGL_TRUE)
+        return;
     throw std::runtime_error("no OpenGL ES 3.1 without a window on this machine");
 }
 
@@ -173,6 +188,19 @@ std::vector<float> results_of(const Poses& poses) {
     return out;
 }
 
+using ResultOfQuery = void (*)(GLuint query, GLenum what, std::uint64_t* result);
+
+// glGetQueryObjectui64vEXT of GL_EXT_disjoint_timer_query.
+ResultOfQuery result_of_query() {
+    static const auto found = reinterpret_cast<ResultOfQuery>(eglGetProcAddress("glGetQueryObjectui64vEXT"));
+    return found;
+}
+
+bool has_clock() {
+    const std::string extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
+    return extensions.find("GL_EXT_disjoint_timer_query") != std::string::npos && result_of_query() != nullptr;
+}
+
 // A program whose calls are timed by the GPU's own clock.
 class Timed {
 public:
@@ -185,8 +213,8 @@ public:
         glBeginQuery(time_elapsed, query);
         program_.run(poses_, groups);
         glEndQuery(time_elapsed);
-        GLuint took_ns = 0;
-        glGetQueryObjectuiv(query, GL_QUERY_RESULT, &took_ns);
+        std::uint64_t took_ns = 0;
+        result_of_query()(query, GL_QUERY_RESULT, &took_ns);
         glDeleteQueries(1, &query);
         least_ns_ = std::min(least_ns_, static_cast<double>(took_ns));
     }
@@ -217,8 +245,14 @@ void print_times(std::vector<TimedFunction>& functions) {
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(2))
         round();
+    GLint is_disjoint = 0;
+    glGetIntegerv(disjoint, &is_disjoint); // reading it resets it
     for (int i = 0; i < 9; ++i)
         round();
+    glGetIntegerv(disjoint, &is_disjoint);
+    if (is_disjoint != 0) std::puts("\nThe clock of the GPU jumped while it measured: run it again.");
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+        throw std::runtime_error("times: OpenGL reports error " + std::to_string(error));
     std::puts("\n| ps for a call | early returns | selects | by hand | loop alone |\n|---|---:|---:|---:|---:|");
     for (const TimedFunction& function : functions) {
         std::printf("| %s |", function.name.c_str());
@@ -265,7 +299,7 @@ int main(int argc, char** argv) {
     }
     try {
         make_context();
-        const bool has_times = argc == 2;
+        const bool has_times = argc == 2 && !is_software() && has_clock();
         std::printf("%s, %s\n\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)),
                     reinterpret_cast<const char*>(glGetString(GL_VERSION)));
         std::puts("| function | error: early returns | near | selects | near |\n|---|---:|---:|---:|---:|");
@@ -315,7 +349,10 @@ int main(int argc, char** argv) {
             if (const GLenum error = glGetError(); error != GL_NO_ERROR)
                 throw std::runtime_error(name + ": OpenGL reports error " + std::to_string(error));
         }
-        if (has_times) print_times(timed);
+        if (has_times)
+            print_times(timed);
+        else if (argc == 2)
+            std::puts("\nNo times: a processor draws, or OpenGL has no clock.");
         return failed ? 1 : 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "gonio-shader-gpu: %s\n", error.what());

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs what `gonio shader` prints on this machine's GPU, by OpenGL ES without a window, and prints errors and times
-# (gpu.cpp). On a machine without a GPU Mesa runs it on the processor: errors count then, times do not.
+# (gpu.cpp). On a machine without a GPU Mesa runs it on the processor, and there are no times.
 #
 #   bash tests/shader/gpu.sh [BUILD] [--no-times]
 #   bash tests/shader/gpu.sh [BUILD] --pack FOLDER
@@ -20,10 +20,15 @@ while (($#)); do
         pack=${2:?--pack needs a folder}
         shift
         ;;
+    -*)
+        echo "gpu.sh: unknown option '$1' (there are: --no-times, --pack FOLDER)" >&2
+        exit 2
+        ;;
     *) build=$(realpath "$1") ;;
     esac
     shift
 done
+[[ -z $pack || ${#options[@]} -eq 0 ]] || { echo 'gpu.sh: --no-times is for run.sh in the packed folder' >&2; exit 2; }
 work=$build/shader
 mkdir -p "$work"
 
@@ -62,3 +67,4 @@ trap 'rm -rf "$made"' EXIT
 ./gonio-shader-cases "$made" by_hand
 ./gonio-shader-gpu "$made" "$@"
 END
+chmod +x "$pack/run.sh"

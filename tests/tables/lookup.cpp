@@ -57,6 +57,7 @@ struct vec3 {
 };
 using float2 = vec2;
 using float3 = vec3;
+#define highp // the language of GLSL alone
 struct sampler2D {};
 struct sampler2DArray {};
 struct SamplerState {};

@@ -149,6 +149,7 @@ def compare(what, found, wanted):
 def compile_shader(folder, side, language):
     """By glslang, if it is there: GLSL ES, GLSL 4.50 and HLSL."""
     if not shutil.which("glslangValidator"):
+        print("glslangValidator is not installed: shaders are not compiled")
         return
     member = side["channels"][-1]["name"]
     call = side["table"].replace("-", "_") + "_lookup"
@@ -165,9 +166,9 @@ def compile_shader(folder, side, language):
     else:
         given = "t, " if texture else ""
         main = f"void main() {{ c = vec4({call}({given}p.x, p.y).{member}); }}\n"
-        es = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n"
+        es = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
         texts = [
-            f"{es}{source}\nuniform sampler{kind} t;\nin vec2 p;\nout vec4 c;\n{main}",
+            f"{es}{source}\nuniform highp sampler{kind} t;\nin vec2 p;\nout vec4 c;\n{main}",
             f"#version 450\n{source}\nlayout(binding = 0) uniform sampler{kind} t;\nlayout(location = 0) in vec2 p;\n"
             f"layout(location = 0) out vec4 c;\n{main}",
         ]

@@ -17,11 +17,6 @@ constexpr std::array<std::array<DdsFormat, 3>, 5> formats{{
     {{{"R8_UNORM", 61, 1}, {"R8G8_UNORM", 49, 2}, {"R8G8B8A8_UNORM", 28, 4}}},
 }};
 
-void append(std::string& bytes, std::uint32_t number, int count) {
-    for (int k = 0; k < count; ++k)
-        bytes += static_cast<char>((number >> (8U * static_cast<unsigned>(k))) & 255U);
-}
-
 } // namespace
 
 DdsFormat dds_format(const StoredTable& stored) {
@@ -39,7 +34,7 @@ std::string dds_file(const StoredTable& stored) {
     constexpr std::uint32_t by_four_characters = 0x4;
     constexpr std::uint32_t is_texture = 0x1000;
     std::string bytes = "DDS ";
-    const auto number = [&](std::uint32_t value) { append(bytes, value, 4); };
+    const auto number = [&](std::uint32_t value) { append_bytes(bytes, value, 4); };
     number(124);
     number(has_caps | has_height | has_width | has_pitch | has_format);
     number(static_cast<std::uint32_t>(stored.table.height));
@@ -58,14 +53,14 @@ std::string dds_file(const StoredTable& stored) {
     number(3); // two-dimensional
     number(0);
     number(static_cast<std::uint32_t>(stored.layers.size()));
-    number(0); // alpha has no meaning of its own
+    number(format.channels == 4 ? 4 : 0); // the fourth channel is a number of its own, not opacity
     std::size_t at = 0;
     for (const std::size_t layer : stored.layers) {
         // A texel of rgb9e5 is one number.
         const std::size_t numbers = stored.pixel == TablePixel::rgb9e5 ? 1 : layer;
         for (std::size_t texel = 0; texel < texels; ++texel)
             for (std::size_t c = 0; c < format.channels; ++c)
-                append(bytes, c < numbers ? stored.stored[at++] : 0U, bytes_each);
+                append_bytes(bytes, c < numbers ? stored.stored[at++] : 0U, bytes_each);
     }
     return bytes;
 }

@@ -220,9 +220,10 @@ Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxe
                                         unsigned threads) {
     if (std::min(width, height) < least_table_size || std::max(width, height) > most_table_size)
         return fail("USE0106",
-                    fmt::format("a table has {} to {} texels a side, not {} x {}", least_table_size, most_table_size,
-                                width, height),
-                    "for example 16x16");
+                    fmt::format("a {} {} to {} {} a side, not {} x {}",
+                                form == TableForm::bilinear ? "table has" : "polynomial has", least_table_size,
+                                most_table_size, form == TableForm::bilinear ? "texels" : "terms", width, height),
+                    form == TableForm::bilinear ? "for example 16x16" : "for example 10x10");
     const TableInfo& info = info_of(kind);
     if (form == TableForm::chebyshev && !info.has_polynomials())
         return fail("USE0107", fmt::format("{} has no polynomial", info.name),

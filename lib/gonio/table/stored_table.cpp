@@ -75,8 +75,10 @@ Result<void> check_fit(const ShadingTable& table, TablePixel pixel) {
         return fail(
             "USE0107",
             fmt::format("{} holds no coefficients of a polynomial: their rounding adds up", info_of(pixel).name), hint);
-    if (pixel == TablePixel::half && !(std::fabs(half_value(half_bits(static_cast<double>(*high)))) <= 65504.0))
-        return fail("USE0107", fmt::format("half ends at 65504, but {} goes up to {}", info.name, *high), hint);
+    if (pixel == TablePixel::half)
+        for (const float end : {*low, *high})
+            if (!(std::fabs(half_value(half_bits(static_cast<double>(end)))) <= 65504.0))
+                return fail("USE0107", fmt::format("half ends at 65504, but {} has {}", info.name, end), hint);
     if (pixel != TablePixel::rgb9e5) return {};
     if (table.channels() > 3)
         return fail("USE0107", fmt::format("rgb9e5 has 3 channels, but {} has {}", info.name, table.channels()), hint);
@@ -110,6 +112,8 @@ double half_value(std::uint32_t bits) {
 std::uint32_t half_bits(double value) {
     const std::uint32_t sign = std::signbit(value) ? 0x8000U : 0U;
     const double size = std::fabs(value);
+    if (std::isnan(size)) return 0x7e00U;
+    if (std::isinf(size)) return sign | 0x7c00U;
     if (size == 0.0) return sign; // which has no exponent
     int exponent = 0;
     static_cast<void>(std::frexp(size, &exponent)); // size < 2^exponent
@@ -187,13 +191,17 @@ Result<StoredTable> store_table(ShadingTable table, TablePixel pixel) {
     return made;
 }
 
+void append_bytes(std::string& bytes, std::uint32_t number, int count) {
+    for (int k = 0; k < count; ++k)
+        bytes += static_cast<char>((number >> (8U * static_cast<unsigned>(k))) & 255U);
+}
+
 std::string raw_bytes(const StoredTable& stored) {
     std::string bytes;
     const int count = info_of(stored.pixel).bits / 8;
     bytes.reserve(stored.stored.size() * static_cast<std::size_t>(count));
     for (const std::uint32_t component : stored.stored)
-        for (int k = 0; k < count; ++k)
-            bytes += static_cast<char>((component >> (8U * static_cast<unsigned>(k))) & 255U);
+        append_bytes(bytes, component, count);
     return bytes;
 }
 

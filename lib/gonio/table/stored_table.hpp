@@ -60,7 +60,10 @@ std::string raw_bytes(const StoredTable& stored);
 ShadingTable read_back(const ShadingTable& shape, TablePixel pixel, std::span<const ChannelRange> ranges,
                        std::span<const std::uint32_t> stored);
 
-// A half by its bits, and the bits of the nearest one; ±infinity beyond 65504.
+// The lowest `count` bytes of a number, the least significant one first.
+void append_bytes(std::string& bytes, std::uint32_t number, int count);
+
+// A half by its bits, and the bits of the nearest one; ±infinity beyond 65504, NaN of NaN.
 double half_value(std::uint32_t bits);
 std::uint32_t half_bits(double value);
 

@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/table/table_text.hpp>
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@ struct Words {
         std::string name;
         bool upper = true;
         for (const char c : info().name) {
-            if (c != '-') name += upper && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+            if (c != '-') name += upper ? to_upper(c) : c;
             upper = c == '-';
         }
         return name + "Values";
@@ -52,16 +53,10 @@ struct Words {
     [[nodiscard]] std::string qualifier() const { return in_c() ? "static inline struct " : ""; }
 };
 
-std::string upper(std::string text) {
-    for (char& c : text)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return text;
-}
-
 std::string comment(const Words& words) {
     const ShadingTable& table = words.table();
     std::string summary(words.info().summary);
-    summary.replace(0, 1, upper(summary.substr(0, 1)));
+    summary.front() = to_upper(summary.front());
     std::string text = fmt::format("// {}.\n//\n", summary);
     const bool lobe = words.info().is_lobe();
     if (!lobe)
@@ -205,7 +200,7 @@ std::string parameters(const Words& words) {
     const bool polynomial = words.table().form == TableForm::chebyshev;
     if (polynomial || words.in_c()) return "";
     const char* const array = words.stored.layers.size() > 1 ? "Array" : "";
-    if (words.language == TableLanguage::glsl) return fmt::format("sampler2D{} table, ", array);
+    if (words.language == TableLanguage::glsl) return fmt::format("highp sampler2D{} table, ", array);
     return fmt::format("Texture2D{}<float4> table, SamplerState held, ", array);
 }
 
@@ -367,11 +362,17 @@ std::string table_lookup(const StoredTable& stored, TableLanguage language) {
 
 std::string table_header(const StoredTable& stored) {
     const Words words{stored, TableLanguage::c};
-    const std::string guard = fmt::format("GONIO_TABLE_{}_H", upper(words.prefix()));
+    const ShadingTable& table = stored.table;
+    // Two tables of one name in a program are a compiler's error, and not the first one in place of the second.
+    const std::string guard = to_upper(fmt::format(
+        "gonio_table_{}_{}x{}_{}_{}_h", words.prefix(), table.width, table.height,
+        table.form == TableForm::chebyshev ? to_text(table.form) : to_text(table.axes), info_of(stored.pixel).name));
     std::string text = fmt::format("// Printed by gonio: the table {}. For C99 and C++.\n#ifndef {}\n#define {}\n\n",
                                    words.info().name, guard, guard);
-    text += "#include <math.h>\n#include <stdint.h>\n\n";
-    if (stored.table.form == TableForm::bilinear) text += c_data(words) + "\n";
+    text += "#include <math.h>\n";
+    if (stored.pixel != TablePixel::float32) text += "#include <stdint.h>\n";
+    text += "\n";
+    if (table.form == TableForm::bilinear) text += c_data(words) + "\n";
     return text + table_lookup(stored, TableLanguage::c) + fmt::format("\n#endif // {}\n", guard);
 }
 
