@@ -3,9 +3,9 @@
 #include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/sample_cylinder.hpp>
 
+#include "../scaled.hpp"
 #include "area_truth.hpp"
 #include "poses.hpp"
-#include "../scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ using area::Real;
 using gonio::measure::hostile::Stratum;
 using gonio::measure::hostile::stratum_count;
 using gonio::measure::hostile::stratum_names;
-using poses::Random;
 using gonio::test::scaled;
+using poses::Random;
 using poses::Vec;
 
 constexpr double pi = std::numbers::pi;

@@ -4,8 +4,8 @@
 #include <gonio/shading/occlusion.hpp>
 
 #include "../reference_rows.hpp"
-#include "area_truth.hpp"
 #include "../scaled.hpp"
+#include "area_truth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ using area::exact;
 using area::Pose;
 using area::Shape;
 using area::subtended;
-using poses::Random;
 using gonio::test::scaled;
+using poses::Random;
 using poses::Vec;
 constexpr double pi = std::numbers::pi;
 

@@ -1,6 +1,6 @@
 // Every shape in every stratum of poses: double against the outline in long double, float against double.
-#include "long_double_truth.hpp"
 #include "../scaled.hpp"
+#include "long_double_truth.hpp"
 #include "stratified_poses.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace {
 using area::Pose;
 using area::Shape;
 using area::Stratum;
-using poses::Random;
 using gonio::test::scaled;
+using poses::Random;
 
 class StratifiedIrradiance : public testing::TestWithParam<Shape> {};
 
