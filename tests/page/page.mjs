@@ -344,35 +344,39 @@ await quiet(tab, 'the stage');
 }
 noteStep('stages, display modes, keys and undo work');
 
-// Half the light is exposed by one stop more.
-{
+// A full picture of half the light follows from the one before and is exposed by one stop more: of a globe, and of a profile with
+// an opening. One of a light elsewhere is rendered.
+for (const [name, light] of Object.entries({ globe: { shape: 'sphere:r=10cm', intensity: '800lm', position: [0, 0.3, 2.3] }, luminaire: { shape: `ies:${basename(good[0])}`, position: [0, 0.3, 2.3] } })) {
   const each = await openPage();
-  await drop(each, [good[0], { name: 'globe.json', text: JSON.stringify({ schema: 'gonio.rig/1', stage: 'room', lights: [{ shape: 'sphere:r=10cm', intensity: '800lm', position: [0, 0.3, 2.3] }] }) }]);
+  await drop(each, [good[0], { name: 'one.json', text: JSON.stringify({ schema: 'gonio.rig/1', stage: 'room', lights: [light] }) }]);
   await goTo('stage', each);
   await refined(each);
   await new Promise((done) => setTimeout(done, 1500));
-  const nextPicture = (least_width) => each.evaluate((least) => new Promise((done) => {
+  // The first full picture after a field of the panel gets a value.
+  const pictureAfter = (label, value) => each.evaluate((selector, given) => new Promise((done) => {
     const stage = document.querySelector('.stage');
-    const take = ({ detail }) => {
-      if (detail.width < least) return;
+    const take = ({ detail: { ms, ev100, rendered, width } }) => {
+      if (stage.dataset.quality !== 'refined') return;
       stage.removeEventListener('picture', take);
-      done({ ms: detail.ms, ev100: detail.ev100 });
+      done({ ms, ev100, rendered, width });
     };
     stage.addEventListener('picture', take);
-  }), least_width);
+    const field = document.querySelector(selector);
+    field.value = given;
+    for (const kind of ['input', 'change']) field.dispatchEvent(new Event(kind));
+  }), label, value);
   const bright = await each.evaluate(() => Number(document.querySelector('.panel [aria-label="Exposure"]').value));
-  const picture = nextPicture(await each.evaluate(() => document.querySelector('.stage-box canvas').width));
-  await each.evaluate(() => {
-    const range = document.querySelector('.panel input[type=range][aria-label="Dimming"]');
-    range.value = 50;
-    range.dispatchEvent(new Event('input'));
-  });
-  const { ms, ev100 } = await picture;
-  assert.ok(Math.abs(ev100 - (bright - 1)) < 0.06, `half the light is exposed by EV100 ${ev100}, all of it by ${bright}`);
-  figures.dimmed_ms = ms;
-    await quiet(each, 'dimming');
+  const { ms, ev100, rendered, width } = await pictureAfter('.panel input[type=range][aria-label="Dimming"]', 50);
+  assert.equal(rendered, false, `${name}: the full picture of half the light is rendered again`);
+  assert.equal(width, await each.evaluate(() => document.querySelector('.stage-box canvas').width), name);
+  assert.ok(Math.abs(ev100 - (bright - 1)) < 0.06, `${name}: half the light is exposed by EV100 ${ev100}, all of it by ${bright}`);
+  const moved = await pictureAfter('.panel .three input', 0.2);
+  assert.equal(moved.rendered, true, `${name}: the full picture of a light that moved`);
+  figures[`${name}_dimmed_ms`] = ms;
+  figures[`${name}_moved_ms`] = moved.ms;
+  await quiet(each, 'dimming');
   await each.close();
-  noteStep(`dimming: the full picture in ${ms.toFixed(1)} ms`);
+  noteStep(`dimming a ${name}: the full picture in ${ms.toFixed(1)} ms, of a light that moved in ${moved.ms.toFixed(1)} ms`);
 }
 
 // Arrays, groups and luminaires of a rig are lights of the page, where the tool has them.
