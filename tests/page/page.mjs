@@ -294,7 +294,7 @@ for (const mode of ['falsecolour', 'isolux']) {
   await tab.screenshot({ path: join(build, `stage-${mode}.png`) });
 }
 await tab.evaluate(() => document.querySelector('.panel [data-value="beauty"]').click());
-await tab.setViewport({ width: 1100, height: 760 }); // the full pictures of `spheres` take long
+await tab.setViewport({ width: 1120, height: 760 }); // the full pictures of `spheres` take long
 for (const stage of ['floor', 'wall', 'corridor', 'street', 'spheres', 'card', 'room']) {
   const shown = await tab.evaluate(() => Number(document.querySelector('.stage').dataset.shown));
   await tab.evaluate((name) => {
