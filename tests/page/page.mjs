@@ -294,15 +294,19 @@ for (const mode of ['falsecolour', 'isolux']) {
   await tab.screenshot({ path: join(build, `stage-${mode}.png`) });
 }
 await tab.evaluate(() => document.querySelector('.panel [data-value="beauty"]').click());
+// A moving picture and a full one, which comes in three steps of at most 120 s.
+const redrawn = async (change) => {
+  const shown = await tab.evaluate(() => Number(document.querySelector('.stage').dataset.shown));
+  await change();
+  await tab.waitForFunction((n) => Number(document.querySelector('.stage').dataset.shown) > n + 1 && document.querySelector('.stage').dataset.quality === 'refined', { timeout: 400000 }, shown);
+};
 await tab.setViewport({ width: 1120, height: 760 }); // the full pictures of `spheres` take long
 for (const stage of ['floor', 'wall', 'corridor', 'street', 'spheres', 'card', 'room']) {
-  const shown = await tab.evaluate(() => Number(document.querySelector('.stage').dataset.shown));
-  await tab.evaluate((name) => {
+  await redrawn(() => tab.evaluate((name) => {
     const select = [...document.querySelectorAll('.panel select')].find((each) => [...each.options].some((option) => option.value === 'corridor'));
     select.value = name;
     select.dispatchEvent(new Event('change'));
-  }, stage);
-  await tab.waitForFunction((n) => Number(document.querySelector('.stage').dataset.shown) > n + 1 && document.querySelector('.stage').dataset.quality === 'refined', { timeout: 400000 }, shown); // three pictures of at most 120 s
+  }, stage));
   assert.equal(await tab.evaluate(() => document.querySelector('.stage-errors').textContent), '', stage);
   await (await tab.$('.stage-box')).screenshot({ path: join(build, `stage-${stage}.png`) });
 }
@@ -329,8 +333,7 @@ await quiet(tab, 'the stage');
   });
   writeFileSync(join(build, 'made/scene.zip'), Buffer.from(zip));
   execFileSync('python3', ['-m', 'zipfile', '-e', join(build, 'made/scene.zip'), folder]);
-  await goTo('stage');
-  await refined(tab);
+  await redrawn(() => goTo('stage'));
   const { width, height, rgba } = await tab.evaluate(() => {
     const canvas = document.querySelector('.stage-box canvas');
     const { width, height } = canvas;
