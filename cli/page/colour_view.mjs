@@ -69,7 +69,7 @@ export function colourView() {
         row('R', 'rgb.0', report.rgb[0]), row('G', 'rgb.1', report.rgb[1]), row('B', 'rgb.2', report.rgb[2]),
         row('Inside the gamut', 'in_gamut', report.in_gamut),
       ];
-      fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Chromaticity'), el('tbody', {}, ...rows)),
+      fill(result, el('table', { class: 'facts-table chromaticity' }, el('caption', { class: 'hidden' }, 'Chromaticity'), el('tbody', {}, ...rows)),
         report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
     } catch (error) {
       if (own === turn && !(error instanceof Cancelled)) fill(result, problem(error));

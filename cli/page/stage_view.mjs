@@ -113,6 +113,8 @@ export function stageView() {
   let ready; // {key, rig, solvesSlowly}: what the moving pictures' worker has solved, and for which lights
   let goodCamera;
   let exposed; // the last full picture: its rig and exposure
+  let drawn; // {key, rig}: what the full pictures' worker drew last, and for which lights; undefined: a smaller picture
+  let drawsAnew; // the key of full pictures that other amounts of light do not follow from
   let refiningNow = false;
   let dark = true; // nothing to show
   view.full = full;
@@ -275,10 +277,9 @@ export function stageView() {
   // What the moving pictures' worker must have solved for the light that bounces to cost little: that of the same lights in the
   // same surroundings, whose amounts alone may change.
   const placesOf = (rig) => JSON.stringify(JSON.parse(rig).lights.map(({ intensity, dimming, ...rest }) => rest));
-  const readiness = (scene, { view: { bounces, shadows } }) => {
-    const { lights, ...surroundings } = JSON.parse(scene.rig);
-    return JSON.stringify([quick.engine.generation, scene.key, surroundings, bounces, shadows === 'off']);
-  };
+  const surroundingsOf = (rig) => ({ ...JSON.parse(rig), lights: undefined });
+  const readiness = (scene, { view: { bounces, shadows } }) =>
+    JSON.stringify([quick.engine.generation, scene.key, surroundingsOf(scene.rig), bounces, shadows === 'off']);
 
   // While nothing moves, it solves that by the smallest of pictures.
   async function getReady(scene, snapshot) {
@@ -297,6 +298,10 @@ export function stageView() {
 
   // ---- the full picture
 
+  // All that a full picture is drawn from but for the lights; how it is shown is no part of that.
+  const fullKey = (scene, { mode, exposure, view: look, unit: lux, ...options }) =>
+    JSON.stringify([full.engine.generation, scene.key, surroundingsOf(scene.rig), options]);
+
   async function refine() {
     if (!view.isConnected || canvas.clientWidth === 0 || !doc.rig.lights[doc.active]?.shape) return;
     if (dirty || drawing) {
@@ -311,13 +316,20 @@ export function stageView() {
     const waiting = setTimeout(() => {
       busy.hidden = stop.hidden = !current();
     }, 250);
+    const optionsAt = (step) => renderOptions(snapshot, Math.round(size.width * step), Math.round(size.height * step));
+    const key = fullKey(scene, optionsAt(1));
+    // A picture that follows from the one before, of the same lights or of other amounts of them, takes little time.
+    const follows = drawn?.key === key && (drawn.rig === scene.rig || (drawsAnew !== key && placesOf(drawn.rig) === placesOf(scene.rig)));
+    drawn = undefined;
     try {
       // A smaller one first where the full one takes long.
-      const expected = cost * size.width * size.height;
+      const expected = follows ? 0 : cost * size.width * size.height;
       const steps = expected > 1500 ? [0.25, 0.5, 1] : expected > 400 ? [0.5, 1] : [1];
       let last;
       for (const step of steps) {
-        const picture = await full.render(scene, renderOptions(snapshot, Math.round(size.width * step), Math.round(size.height * step)), { label: 'refining the picture', patience: refine_ms });
+        const picture = await full.render(scene, optionsAt(step), { label: 'refining the picture', patience: refine_ms });
+        if (step === 1) drawn = { key, rig: scene.rig };
+        if (follows && picture.rendered) drawsAnew = key;
         if (!current()) return;
         last = picture;
         exposed = { rig: scene.rig, ev100: picture.ev100 };

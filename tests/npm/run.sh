@@ -12,6 +12,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 module=${1:-$root/build/wasm/gonio.mjs}
 tool=${2:-$root/build/release/cli/gonio}
 [[ -f $module ]] || GONIO_WASM_TARGETS=gonio-module bash "$root/lib/wasm/build.sh"
+module=$(realpath "$module")
+tool=$(realpath "$tool")
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

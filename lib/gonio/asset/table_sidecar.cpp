@@ -6,7 +6,6 @@
 #include <gonio/table/table_text.hpp>
 
 #include <algorithm>
-#include <bit>
 
 namespace gonio {
 
@@ -57,7 +56,7 @@ Json values_json(const StoredTable& stored) {
     Json values = Json::array();
     for (const std::uint32_t bits : stored.stored) {
         if (stored.pixel == TablePixel::float32)
-            values.push_back(static_cast<double>(std::bit_cast<float>(bits)));
+            values.push_back(static_cast<double>(__builtin_bit_cast(float, bits)));
         else if (stored.pixel == TablePixel::half)
             values.push_back(half_value(bits));
         else

@@ -58,11 +58,18 @@ bool are_same(const std::optional<EmittingFace>& a, const std::optional<Emitting
     return !a || (a->surface == b->surface && a->face == b->face);
 }
 
+// The body of a profile's opening and its faces follow from the profile and the frame.
+bool has_same_parts(const Light& a, const Light& b) {
+    if (std::holds_alternative<ProfileShape>(a.shape))
+        return (a.body == nullptr) == (b.body == nullptr) && (a.parts == nullptr) == (b.parts == nullptr);
+    return a.parts == b.parts && a.body == b.body;
+}
+
 bool differs_in_amount_alone(const Light& a, const Light& b) {
     // A profile's scale goes with its amount, that of a mask with its web.
     const bool has_profile = std::holds_alternative<ProfileShape>(a.shape);
     return are_same(a.shape, b.shape) && are_same(a.frame, b.frame) && a.range == b.range &&
-           are_same(a.emitted_by, b.emitted_by) && a.parts == b.parts && a.body == b.body && a.emission == b.emission &&
+           are_same(a.emitted_by, b.emitted_by) && has_same_parts(a, b) && a.emission == b.emission &&
            a.image == b.image &&
            (has_profile ? are_same(a.web_scale * amount(b), b.web_scale * amount(a)) : a.web_scale == b.web_scale);
 }

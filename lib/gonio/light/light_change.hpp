@@ -22,8 +22,8 @@ struct LightChange {
 // none, if a light or a channel that was dark is lit, and without lights.
 std::optional<LightChange> common_change(std::span<const Light> before, std::span<const Light> now);
 
-// Whether the lights are the same but for their amounts, colours and names. False, too, for lights whose parts or
-// profiles were made anew.
+// Whether the lights are the same but for their amounts, colours and names. False, too, for lights whose profiles,
+// masks or images were read anew (gonio/light/kept_profiles.hpp).
 bool differ_in_amount_alone(std::span<const Light> a, std::span<const Light> b);
 
 } // namespace gonio

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -134,7 +133,7 @@ ShadingTable read_back(const ShadingTable& shape, TablePixel pixel, std::span<co
         if (pixel == TablePixel::rgb9e5) {
             value = shared_value(stored[index / shape.channels()], channel);
         } else if (pixel == TablePixel::float32) {
-            value = static_cast<double>(std::bit_cast<float>(stored[at]));
+            value = static_cast<double>(__builtin_bit_cast(float, stored[at]));
         } else if (pixel == TablePixel::half) {
             value = half_value(stored[at]);
         } else {
@@ -173,7 +172,7 @@ Result<StoredTable> store_table(ShadingTable table, TablePixel pixel) {
         in_stored_order(table, [&](std::size_t index, std::size_t channel) {
             const auto value = static_cast<double>(table.values[index]);
             if (pixel == TablePixel::float32) {
-                made.stored.push_back(std::bit_cast<std::uint32_t>(table.values[index]));
+                made.stored.push_back(__builtin_bit_cast(std::uint32_t, table.values[index]));
             } else if (pixel == TablePixel::half) {
                 made.stored.push_back(half_bits(value));
             } else {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -299,7 +298,8 @@ std::string c_data(const Words& words) {
     std::string text = fmt::format("static const {} {}_data[{}] = {{\n", type, words.prefix(), stored.stored.size());
     text += listed(stored.stored.size(), in_line, [&](std::size_t i) {
         const std::uint32_t bits = stored.stored[i];
-        if (stored.pixel == TablePixel::float32) return words.number(static_cast<double>(std::bit_cast<float>(bits)));
+        if (stored.pixel == TablePixel::float32)
+            return words.number(static_cast<double>(__builtin_bit_cast(float, bits)));
         return stored.pixel == TablePixel::rgb9e5 ? fmt::format("{}u", bits) : fmt::format("{}", bits);
     });
     text += "};\n";

@@ -1,9 +1,12 @@
 #include <gonio/light/light_change.hpp>
 
 #include "lights.hpp"
+#include "luminaire.hpp"
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <variant>
 #include <vector>
 
 namespace gonio {
@@ -57,6 +60,33 @@ TEST(LightChange, SaysWhatElseDiffers) {
     EXPECT_TRUE(differs([](auto& lights) { std::get<SpotShape>(lights[1].shape).falloff = Falloff::linear_cos; }));
     EXPECT_TRUE(differs([](auto& lights) { lights[1].shape = PointShape(); }));
     EXPECT_TRUE(differs([](auto& lights) { lights[1].web_scale = 2.0; }));
+}
+
+// Their bodies and faces are made anew with the lights, from the same profile and opening.
+TEST(LightChange, SeesTheOpeningsOfProfiles) {
+    LightDescription description;
+    description.shape = test::luminaire("batwing", "rect:w=60cm,h=30cm").shape;
+    const auto resolved = [&](const char* intensity) {
+        description.intensity = parse_photometric_value(intensity).value();
+        Diagnostics diagnostics;
+        return std::vector<Light>{resolve_light(description, diagnostics).value()};
+    };
+    const std::vector<Light> before = resolved("1000lm");
+    const std::vector<Light> half = resolved("500lm");
+    ASSERT_NE(before[0].body, nullptr);
+    ASSERT_NE(before[0].body, half[0].body);
+    EXPECT_TRUE(differ_in_amount_alone(before, half));
+    EXPECT_NEAR(common_change(before, half)->amount, 0.5, 1e-15);
+
+    auto& shape = std::get<ProfileShape>(description.shape);
+    const std::shared_ptr<const Opening> opening = shape.given;
+    shape.given = std::make_shared<const Opening>(parse_opening("rect:w=60cm,h=31cm").value());
+    EXPECT_FALSE(differ_in_amount_alone(before, resolved("500lm")));
+    shape.given = opening;
+    shape.size = ProfileSize::point;
+    EXPECT_FALSE(differ_in_amount_alone(before, resolved("500lm")));
+    shape.size = ProfileSize::opening;
+    EXPECT_TRUE(differ_in_amount_alone(before, resolved("500lm")));
 }
 
 } // namespace
