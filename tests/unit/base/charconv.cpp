@@ -1,5 +1,7 @@
 #include <gonio/base/charconv.hpp>
 
+#include "../scaled.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -61,7 +63,7 @@ std::vector<double> many_numbers() {
                                 1e-4,
                                 9.5367431640625e-7};
     std::mt19937_64 random(1);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::scaled(20000); ++i) {
         const auto any = std::uint64_t{random()};
         double number = 0.0;
         switch (i % 5) {

@@ -5,6 +5,7 @@
 #include <gonio/transport/ray_bundle.hpp>
 #include <gonio/transport/sky_light.hpp>
 
+#include "../scaled.hpp"
 #include "stages.hpp"
 
 #include <glm/geometric.hpp>
@@ -16,6 +17,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace gonio {
@@ -99,7 +101,8 @@ TEST(SkyLight, IsExactWhereNothingHidesIt) {
 // apart for their sizes, 0.4 to 0.8 %. The count itself has an error of 0.05 %.
 TEST(SkyLight, AgreesWithCountedDirections) {
     constexpr std::size_t count = 20000;
-    for (const char* name : {"floor", "card", "street", "spheres"}) {
+    for (const std::string_view name : {"floor", "card", "street", "spheres"}) {
+        if (test::is_sanitized && (name == "street" || name == "spheres")) continue;
         const Stage stage = make_stage(name).value();
         const std::shared_ptr<const ExchangeGeometry> geometry = geometry_of(stage);
         const std::vector<Hit> points = seen(stage, 8);
@@ -161,7 +164,7 @@ TEST(SkyLight, TurnsWithTheStage) {
 }
 
 TEST(SkyLight, IsLinear) {
-    const Stage stage = make_stage("spheres").value();
+    const Stage stage = make_stage(test::is_sanitized ? "floor" : "spheres").value();
     const LightingOptions once = under(low_sun);
     const LightingOptions twice = under("cie:12,sun=200/15,horizontal=20klx");
     const std::shared_ptr<const ExchangeGeometry> geometry = geometry_of(stage);
