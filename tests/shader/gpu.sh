@@ -53,7 +53,7 @@ fi
 
 mkdir -p "$pack/lib"
 cp -r "$build/tests/gonio-shader-cases" "$work/gonio-shader-gpu" "$root/tests/shader/by_hand" "$pack"
-# All but the C library and the loaders of OpenGL, which belong to the other machine's driver.
+# All libraries except the C library and the loaders of OpenGL, which belong to the other machine's driver.
 ldd "$build/tests/gonio-shader-cases" "$work/gonio-shader-gpu" | awk '/=> \// { print $3 }' | sort -u |
     grep -vE '/(libc|libm|libpthread|libdl|librt|ld-linux[^/]*|libEGL|libGLESv2|libGLdispatch)\.so' | xargs -r cp -t "$pack/lib"
 cat > "$pack/run.sh" << 'END'
