@@ -2,6 +2,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
 #include <gonio/shading/ggx.hpp>
+#include <gonio/shading/ltc_lobe.hpp>
 #include <gonio/table/table_error.hpp>
 
 #include <algorithm>
@@ -73,16 +74,16 @@ TableError error_from(std::vector<double> errors) {
 } // namespace
 
 TransformedCosine lobe_of(TableKind kind, const TableValues& values, double n_dot_v, double roughness) {
-    const auto [along, raised, across, slant, albedo, grazing] = values;
-    const double s = std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v));
     const double width = kind == TableKind::ltc_disney ? 1.0 : alpha_of(roughness);
+    const auto found = shading::detail::lobe_from(values[0], values[1], values[2], values[3], values[4], values[5],
+                                                  width, n_dot_v, shading::sine_of_cosine(n_dot_v));
     TransformedCosine lobe;
-    lobe.m00 = std::max(along * n_dot_v + raised * s * s, 1e-18);
-    lobe.m02 = (raised * n_dot_v - along) * s;
-    lobe.m11 = across;
-    lobe.m20 = width * slant * s;
-    lobe.m22 = width;
-    lobe.scale = albedo * std::hypot(lobe.m00, lobe.m20) / lobe.m00;
+    lobe.m00 = found.m00;
+    lobe.m02 = found.m02;
+    lobe.m11 = found.m11;
+    lobe.m20 = found.m20;
+    lobe.m22 = found.m22;
+    lobe.scale = found.albedo / found.horizon_z;
     return lobe;
 }
 
