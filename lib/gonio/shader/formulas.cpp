@@ -13,6 +13,7 @@
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/occlusion.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/shading/specular_ltc.hpp>
 
 #include <array>
 #include <numbers>
@@ -481,6 +482,61 @@ void shade_area(Function& f) {
     if (f.stages.front().value == last) f.stages = {{no_node, last, {}}}; // there is no diffuse part
 }
 
+// GGX under an area light by linearly transformed cosines: specular_ltc.hpp with the numbers of the lobe as parameters,
+// which come from a table (`gonio bake --table ltc-ggx`).
+template<class Light>
+void highlight_ltc(Function& f) {
+    const Light light(f);
+    const Vector view = f.unit("view", "unit, from the surface to the eye");
+    const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
+    const S f90 = share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces");
+    const S roughness = share_of(f, "roughness", "linear, [0, 1]: alpha is its square");
+    const Vector leaning = f.vector("leaning", "along, raised and across of the table at n.v and the roughness");
+    const Vector reflected = f.vector("reflected", "slant, albedo and grazing of the table at the same place");
+    const S alpha = simd::max(roughness * roughness, S(core::minimum_alpha));
+    const core::GgxLobe<S> lobe{alpha};
+    const auto cosine_of = [&](S n_dot_v, S sine) {
+        const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
+        return core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y, reflected.z, alpha,
+                                       mu, sine);
+    };
+    const auto result = [&](S scale, S grazing) { return (f0 + (Vector{f90, f90, f90} - f0) * grazing) * scale; };
+    const auto of = light.as_light();
+    // The simple case of specular_ltc(): points alone.
+    const core::LtcFrame<S> frame = core::ltc_frame(light.normal, view);
+    const S n_dot_v = dot(light.normal, view);
+    const core::LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
+    const auto points = core::detail::points_of(of, frame, light.to_center);
+    const Vector center = cosine(points.patch.center);
+    const S distance2 = simd::max(dot(center, center), S(1e-36));
+    const S size2 = points.transformed_size2(cosine);
+    constexpr double alone = core::detail::ltc_points_alone[0];
+    const auto small = size2 < S(alone * alone) * distance2;
+    const auto dark = simd::either(points.patch.center.z < -points.rise(), !core::above_surface(n_dot_v));
+    const Vector v{-frame.sine, S(0), simd::select(core::above_surface(n_dot_v), n_dot_v, S(1))};
+    const auto sums = core::detail::point_sums<false>(points, lobe, cosine, v);
+    const S by_points = simd::select(dark, S(0), simd::min(simd::max(sums.value, S(0)), S(1)));
+    f.label("n_dot_v", n_dot_v);
+    f.label("x", frame.x, "The lobe's frame: x towards which the mirrored view leans, y, and the normal.");
+    f.label("y", frame.y);
+    f.label("sine", frame.sine, "Of the angle between normal and view.");
+    f.label("m00", cosine.m00, "The matrix that makes the lobe a cosine.");
+    f.label("m02", cosine.m02);
+    f.label("m20", cosine.m20);
+    f.label("m22", cosine.m22);
+    f.label("center", points.patch.center);
+    f.label("size2", size2, "Of the light after the transform.");
+    f.label("distance2", distance2);
+    f.label("small", small);
+    f.label("dark", dark);
+    f.label("by_points", sums.value, "The lobe itself at points of the light.");
+    f.early(simd::either(small, dark),
+            S::of(result(by_points, simd::min(sums.grazing / simd::max(sums.value, S(1e-36)), S(1))).node()),
+            "Small against the lobe, or below the horizon: the points are enough.");
+    const auto found = core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of);
+    f.returns(result(found.scale, found.grazing));
+}
+
 template<class Light, void (*stages)(Function&, const Light&)>
 void exact(Function& f) {
     stages(f, Light(f));
@@ -616,6 +672,21 @@ constexpr Formula highlight_row(std::string_view light, std::string_view materia
             "the result + 0.1 * (angle [rad] that the light subtends)",
             light == "disk" || light == "rect" ? "nearer to the light than a tenth of its size, where the method jumps"
                                                : "nearer to the light than a tenth of its size",
+            record};
+}
+constexpr Formula ltc_row(std::string_view light, std::string_view function, std::string_view title, ShaderError error,
+                          void (*record)(Function&)) {
+    return {{"shade", light, "ltc", "ggx", {}},
+            function,
+            title,
+            "luminance of red, green and blue per luminance of the light",
+            "Heitz et al., ACM TOG 35(4), 2016; the lobe keeps its sign, the light is clipped once, and points of the "
+            "light correct it. leaning and reflected: gonio bake --table ltc-ggx",
+            error,
+            "the result + 0.1 * (angle [rad] that the light subtends)",
+            light == "disk" || light == "rect"
+                ? "nearer to the light than a tenth of its size, where float decides on which side of its plane one is"
+                : "nearer to the light than a tenth of its size",
             record};
 }
 constexpr Formula shade_area_row(std::string_view light, std::string_view function, std::string_view title,
@@ -825,6 +896,13 @@ constexpr std::array all{
                   {9e-6, 2e-5}, shade_area<Tube, tube_stages, blinn>),
     highlight_row("tube", "ggx", "tube_shade_ggx", "A GGX surface under a uniform tube.", {1e-4, 3e-4},
                   shade_area<Tube, tube_stages, ggx>),
+    ltc_row("sphere", "sphere_shade_ggx_ltc", "A GGX surface under a uniform sphere.", {2e-3, 2e-3},
+            highlight_ltc<Sphere>),
+    ltc_row("disk", "disk_shade_ggx_ltc", "A GGX surface under a uniform one-sided disk.", {1e-2, 3e-1},
+            highlight_ltc<Disk>),
+    ltc_row("rect", "rect_shade_ggx_ltc", "A GGX surface under a uniform one-sided rectangle.", {3e-5, 2},
+            highlight_ltc<Rectangle>),
+    ltc_row("tube", "tube_shade_ggx_ltc", "A GGX surface under a uniform tube.", {4e-4, 4e-4}, highlight_ltc<Tube>),
     visibility_row("sphere", "sky_visibility_sphere", "What a sphere leaves of a uniform sky, exact.",
                    "1 - E/(pi L) of a sphere that emits L", {8e-7, 6e-6}, visibility<Sphere, sphere_stages>),
     visibility_row("capsule", "sky_visibility_capsule",

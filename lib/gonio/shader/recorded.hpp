@@ -8,6 +8,8 @@
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
+#include <cstddef>
+
 namespace gonio::shading {
 
 // Vectors are recorded as such: a shader has `dot` and `cross` instead of their products.
@@ -60,6 +62,13 @@ shader::Recorded window_squared(shader::Recorded distance, shader::Recorded inve
 shader::Recorded horizon_arc(RecordedVector p, RecordedVector step, RecordedVector normal);
 
 namespace detail {
+
+// A shader has floats only: what the core would compute in double stays as it is.
+template<class Exact, std::size_t count>
+shader::Recorded in_double(shader::RecordedMask /*hard*/, shader::Recorded easy,
+                           const shader::Recorded (&/*inputs*/)[count]) {
+    return easy;
+}
 
 shader::Recorded solid_angle(RecordedVector a, RecordedVector b, RecordedVector c);
 shader::Recorded frostbite_cap(shader::Recorded cosine, shader::Recorded square_sine);

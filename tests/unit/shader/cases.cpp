@@ -13,6 +13,7 @@
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/occlusion.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/shading/specular_ltc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -319,6 +320,42 @@ core_vector shaded(const Inputs& in, std::string_view light, const shading::Surf
     return {};
 }
 
+// The highlight of GGX by the transformed cosine, under a light that begins the inputs.
+core_vector highlight(Dice& dice, Inputs& in, std::string_view light, core_vector c, core_vector n, core_vector v) {
+    const core_vector f0 = in.put(dice.color());
+    const double f90 = in.put(dice.between(0.0, 1.0));
+    const double rough = in.put(roughness(dice));
+    constexpr auto last = static_cast<double>(shading::ltc_ggx_size - 1);
+    const double mu = std::clamp(shading::dot(n, v), 0.0, 1.0);
+    const auto column = static_cast<std::size_t>(std::lround(rough * last));
+    const auto row = static_cast<std::size_t>(std::lround(std::sqrt(mu) * last));
+    const shading::LtcEntry entry = shading::ltc_ggx_table[row * shading::ltc_ggx_size + column];
+    in.put(core_vector{static_cast<double>(entry.along), static_cast<double>(entry.raised),
+                       static_cast<double>(entry.across)});
+    in.put(core_vector{static_cast<double>(entry.slant), static_cast<double>(entry.albedo),
+                       static_cast<double>(entry.grazing)});
+    const double alpha = rough * rough;
+    const auto cosine_of = [&](double n_dot_v, double sine) {
+        return shading::detail::lobe_from<double>(static_cast<double>(entry.along), static_cast<double>(entry.raised),
+                                                  static_cast<double>(entry.across), static_cast<double>(entry.slant),
+                                                  static_cast<double>(entry.albedo), static_cast<double>(entry.grazing),
+                                                  alpha, std::clamp(n_dot_v, 0.0, 1.0), sine);
+    };
+    const core_vector one{1.0, 1.0, 1.0};
+    const auto under = [&](const auto& shape) {
+        return shading::specular_ltc(shape, c, n, v, shading::GgxLobe<double>{alpha}, cosine_of);
+    };
+    const auto found = [&] {
+        if (light == "sphere") return under(shading::SphereLight<double>{c, one, in.at(3), 0.0});
+        if (light == "disk") return under(shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false});
+        if (light == "rect")
+            return under(
+                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false});
+        return under(shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0});
+    }();
+    return (f0 + (core_vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
+}
+
 Case random_case(const Formula& formula, Dice& dice) {
     const ShaderFormula& names = formula.names;
     Inputs in;
@@ -369,9 +406,10 @@ Case random_case(const Formula& formula, Dice& dice) {
             value = in.put(dice.color()) * (lit.value / pi);
         } else {
             const core_vector v = in.put(above(dice, n));
-            value = with_material(dice, in, names.material, [&](const auto& of) {
-                return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
-            });
+            value = names.method == "ltc" ? highlight(dice, in, names.light, c, n, v)
+                                          : with_material(dice, in, names.material, [&](const auto& of) {
+                                                return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
+                                            });
         }
     } else if (names.what == "visibility") {
         take(area_case(dice, in, names.shadow_of, names.method));
