@@ -16,11 +16,11 @@ namespace {
 constexpr std::array formula_options{
     Option{"--light", "LIGHT,…", "sphere, disk, rect, tube, sun, point, spot", "shader-lights"},
     Option{"--method", "METHOD,…",
-           "exact, frostbite, ue4, point; a window of point, a lobe of spot (exact, none, frostbite)",
+           "exact, frostbite, ue4, point, ltc; a window of point, a lobe of spot (exact, none, frostbite)",
            "shader-methods"},
     Option{"--material", "MATERIAL,…", "its BRDF; with --light, what it reflects of that light", "shader-materials"},
     Option{"--shadow-of", "SHAPE,…", "what a sphere or capsule leaves of a uniform sky"},
-    Option{"--what", "WHAT", "irradiance, brdf, sample, pdf, shade, visibility (by the options above)"},
+    Option{"--what", "WHAT,…", "irradiance, brdf, sample, pdf, shade, visibility (by the options above)"},
 };
 constexpr std::array text_options{
     Option{"--lang", "LANG", "glsl-es300, glsl450, hlsl, msl, wgsl (glsl450)", "shader-langs"},
@@ -35,6 +35,8 @@ constexpr std::array examples{
     Example{"gonio shader --light tube --method exact,ue4 --lang msl", "an approximation next to the exact form"},
     Example{"gonio shader --material gltf --lang glsl-es300", "a BRDF"},
     Example{"gonio shader --light point --material frostbite", "what it reflects of a point light"},
+    Example{"gonio shader --light rect,tube --material ggx --method ltc --what irradiance,shade",
+            "both parts of what a surface reflects"},
     Example{"gonio shader --shadow-of capsule", "ambient occlusion by a capsule"},
     Example{"gonio list shaders", "every function that there is"},
 };

@@ -3,13 +3,11 @@
 const lights = 'rect,disk,sphere,tube';
 export const table_size = 32;
 
-// One text of several, with each function once and a name of its own in a shader of other people.
-function joined(texts) {
-  const blocks = [...new Set(texts.flatMap((text) => text.trim().split('\n\n')))].filter((block) => !/^(\/\/ Printed by|precision )/.test(block));
-  const text = blocks.join('\n\n');
-  const names = [...text.matchAll(/^(?:float|vec3) (\w+)\(/gm)].map((match) => match[1]);
-  if (new Set(names).size !== names.length) throw new Error('gonio shader printed two functions of one name');
-  return text.replaceAll(new RegExp(`\\b(${names.join('|')})(?=\\()`, 'g'), 'gonio_$1');
+// Names of their own in a shader of other people, and no first lines, which a shader has once.
+function prefixed(text) {
+  const functions = text.slice(text.indexOf('\n', text.indexOf('precision highp float;'))).trim();
+  const names = [...functions.matchAll(/^(?:float|vec3) (\w+)\(/gm)].map((match) => match[1]);
+  return functions.replaceAll(new RegExp(`\\b(${names.join('|')})(?=\\()`, 'g'), 'gonio_$1');
 }
 
 // The layers of the raw file, one after the other: four halves a texel, then two.
@@ -20,8 +18,7 @@ function layers(bytes) {
 }
 
 export function areaLightData(run) {
-  const print = (...words) => run(['shader', '--light', lights, '--lang', 'glsl-es300', ...words]).stdout;
-  const glsl = joined([print(), print('--method', 'ltc', '--material', 'ggx')]);
+  const glsl = prefixed(run(['shader', '--light', lights, '--material', 'ggx', '--method', 'ltc', '--what', 'irradiance,shade', '--lang', 'glsl-es300']).stdout);
   const { files } = run(['bake', '--table', 'ltc-ggx', '-s', `${table_size}`, '--pixel', 'half', '-o', 'ltc.raw']);
   const [leaning, reflected] = layers(files['ltc.raw']);
   return `// Written by build.mjs: what \`gonio shader\` and \`gonio bake --table ltc-ggx\` print.

@@ -78,6 +78,22 @@ std::string nearest(const ShaderFormula& asked) {
     return list;
 }
 
+// With several kinds of results each takes those options that it has: irradiance has no material.
+ShaderFormula fitting(ShaderFormula asked) {
+    const auto holds = [](const auto& condition) {
+        for (std::size_t i = 0; i < shader_formula_count(); ++i)
+            if (condition(shader_formula(i).formula)) return true;
+        return false;
+    };
+    for (const Part& part : parts)
+        if (!holds([&](const ShaderFormula& formula) {
+                return formula.what == asked.what && !(formula.*part.member).empty();
+            }))
+            asked.*part.member = {};
+    if (!holds([&](const ShaderFormula& formula) { return answers(formula, asked); })) asked.method = {};
+    return asked;
+}
+
 Result<std::size_t> find_formula(const ShaderFormula& asked) {
     for (std::size_t i = 0; i < shader_formula_count(); ++i)
         if (answers(shader_formula(i).formula, asked)) return i;
@@ -124,13 +140,14 @@ Result<ShaderRequest> shader_request(const Arguments& arguments) {
         if (!branches) return pass_on(branches);
         request.branches = *branches;
     }
-    ShaderFormula asked;
-    const Values whats = shader_values(&ShaderFormula::what);
-    asked.what = usual_what(arguments);
+    Values whats{usual_what(arguments)};
     if (const auto text = arguments.value("--what")) {
-        auto what = find_named("kind of shader", *text, whats);
-        if (!what) return pass_on(what);
-        asked.what = **what;
+        const Values known_whats = shader_values(&ShaderFormula::what);
+        auto found = find_all_named("kind of shader", *text, known_whats);
+        if (!found) return pass_on(found);
+        whats.clear();
+        for (const auto& each : *found)
+            whats.push_back(*each);
     }
     std::array<Values, parts.size()> known;
     std::array<Values, parts.size()> chosen;
@@ -144,14 +161,18 @@ Result<ShaderRequest> shader_request(const Arguments& arguments) {
         return fail("USE0104", "no light, material or occluder is given",
                     "for example: gonio shader --light sphere, gonio shader --material gltf, "
                     "gonio shader --shadow-of capsule");
-    for (const std::string_view light : chosen[0])
-        for (const std::string_view method : chosen[1])
-            for (const std::string_view material : chosen[2])
-                for (const std::string_view shadow_of : chosen[3]) {
-                    Result<std::size_t> place = find_formula({asked.what, light, method, material, shadow_of});
-                    if (!place) return pass_on(place);
-                    request.formulas.push_back(*place);
-                }
+    for (const std::string_view what : whats)
+        for (const std::string_view light : chosen[0])
+            for (const std::string_view method : chosen[1])
+                for (const std::string_view material : chosen[2])
+                    for (const std::string_view shadow_of : chosen[3]) {
+                        const ShaderFormula asked{what, light, method, material, shadow_of};
+                        Result<std::size_t> place = find_formula(whats.size() > 1 ? fitting(asked) : asked);
+                        if (!place) return pass_on(place);
+                        if (std::find(request.formulas.begin(), request.formulas.end(), *place) ==
+                            request.formulas.end())
+                            request.formulas.push_back(*place);
+                    }
     return request;
 }
 

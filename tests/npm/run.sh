@@ -23,7 +23,7 @@ mkdir "$work/user"
 cd "$work/user"
 npm init --yes > /dev/null
 npm pkg set type=module
-npm install --silent --no-audit --no-fund ../gonio-*.tgz three@0.187 @babylonjs/core@9 typescript@5 @types/node@18
+npm install --silent --no-audit --no-fund ../gonio-*.tgz three@0.187 @babylonjs/core@9 typescript@5 @types/node@18 @types/three@0.187
 cp "$root"/tests/npm/*.mjs "$root/tests/wasm/facts.mjs" "$root/tests/npm/types.ts" .
 stat --format 'package: %s bytes' ../gonio-*.tgz
 node package.mjs "$tool" "$root/profiles"

@@ -1,6 +1,7 @@
 // What the declarations must accept, and what they must refuse.
 import { GonioError, createGonio, type Profile, type Rig } from 'gonio';
 import { iesSpotLight } from 'gonio/three';
+import { DiskAreaLight, GonioAreaLights, SphereAreaLight, TubeAreaLight } from 'gonio/three-area-lights';
 
 const gonio = await createGonio();
 const profile: Profile = gonio.read(new Uint8Array(), 'lamp.ies');
@@ -14,6 +15,14 @@ const rig: Rig = {
 };
 const picture = gonio.preview(rig, {}, { width: 8, height: 8, mode: 'isolux' });
 iesSpotLight({}, profile, { flux_lm: flux });
+GonioAreaLights.init({ shapes: ['rect', 'tube'] });
+const disk = new DiskAreaLight('white', 1000, 0.5);
+disk.power = 800;
+const metres: number = new TubeAreaLight(0xffffff, 1000, 0.02, 1.2).length + new SphereAreaLight().radius;
+// @ts-expect-error: there is no such shape
+GonioAreaLights.init({ shapes: ['ring'] });
+// @ts-expect-error: a disk has no length
+disk.length;
 // @ts-expect-error: one unit gives one number
 const wrong: number[] = gonio.units('800lm', 'nt');
 // @ts-expect-error: a light has a shape or a luminaire
@@ -24,4 +33,4 @@ const twice: Rig = { schema: 'gonio.rig/1', lights: [{ shape: 'point', direction
 const both: Rig = { schema: 'gonio.rig/1', lights: [{ shape: 'point', array: { count: [2, 2], spacing: [1, 1], room: [4, 4] } }] };
 // @ts-expect-error: there is no such display mode
 gonio.preview(rig, {}, { width: 8, height: 8, mode: 'look' });
-export { GonioError, numbers, picture, texels, both, dark, twice, wrong };
+export { GonioError, metres, numbers, picture, texels, both, dark, twice, wrong };

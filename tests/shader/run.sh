@@ -29,7 +29,8 @@ if [[ ! -d $work/node_modules/puppeteer-core ]]; then
     npm install --prefix "$work" --no-save --no-audit --no-fund puppeteer-core@24
 fi
 
-cmake --build "$build" --target gonio-shader-cases
+cmake --build "$build" --target gonio-tool gonio-shader-cases
+bash "$root/tests/shader/include.sh" "$build/cli/gonio"
 rm -rf "$work/made"
 "$build/tests/gonio-shader-cases" "$work/made" "$root/tests/shader/by_hand"
 bash "$root/tests/shader/compilers.sh" "$work/made"

@@ -210,10 +210,12 @@ export function checks() {
   const before = alone(four()[0]).out;
   RectAreaLightUniformsLib.init();
   check(apart(alone(four()[0]).out, before) === 0, 'RectAreaLightUniformsLib.init() changes the lights');
+  const rect = lights.rect.own(); // the constructors of the others would call init()
+  place(rect);
   GonioAreaLights.dispose();
   check(!GonioAreaLights.isReady && THREE.ShaderChunk.lights_fragment_begin.indexOf('GONIO') < 0, 'dispose() leaves its code');
   RectAreaLightUniformsLib.init();
-  const own = alone(four()[0]);
+  const own = alone(rect);
   check(apart(own.out, before) > 0.01, 'dispose() does not bring the lights of three.js back');
   for (const mesh of own.scene.children) if (mesh.material) mesh.material.needsUpdate = true;
   GonioAreaLights.init();

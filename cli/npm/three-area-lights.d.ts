@@ -1,0 +1,53 @@
+import type { ColorRepresentation, Light } from 'three';
+
+export type AreaLightShape = 'rect' | 'disk' | 'sphere' | 'tube';
+
+/**
+ * Area lights for the WebGLRenderer of three.js r160 to r187: RectAreaLight by gonio's formulas, and disks, spheres and tubes.
+ * Light falls on MeshStandardMaterial and MeshPhysicalMaterial; nothing casts a shadow in it.
+ */
+export const GonioAreaLights: {
+  /** Whether materials that are compiled now have these lights. */
+  readonly isReady: boolean;
+  /**
+   * Patches three.js, before the first frame. `shapes` are those to compile, 'rect' by default; a light of another shape adds
+   * its own. Throws an Error that names the line if this release of three.js lacks a line that is patched.
+   */
+  init(options?: { shapes?: AreaLightShape[] }): void;
+  /** Frees the tables and gives three.js its own code back. Materials that were compiled need `needsUpdate`. */
+  dispose(): void;
+};
+
+/** What disks, spheres and tubes have in common. Sizes are in metres, and no scale of a matrix changes them. */
+declare abstract class AreaLight extends Light {
+  readonly isRectAreaLight: true;
+  /** The luminance [nt] = [cd/m²], times `color`. */
+  intensity: number;
+  /** The luminous flux [lm]: π × the luminance × the area. Setting it changes `intensity`. */
+  power: number;
+  /** The area that emits [m²]. */
+  readonly area: number;
+}
+
+/** A disk that emits to its local -z, as RectAreaLight does. */
+export class DiskAreaLight extends AreaLight {
+  constructor(color?: ColorRepresentation, intensity?: number, radius?: number);
+  readonly isDiskAreaLight: true;
+  radius: number;
+}
+
+/** A sphere. */
+export class SphereAreaLight extends AreaLight {
+  constructor(color?: ColorRepresentation, intensity?: number, radius?: number);
+  readonly isSphereAreaLight: true;
+  radius: number;
+}
+
+/** A tube with half spheres at its ends, along its local y: the shape of `CapsuleGeometry(radius, length)`. */
+export class TubeAreaLight extends AreaLight {
+  constructor(color?: ColorRepresentation, intensity?: number, radius?: number, length?: number);
+  readonly isTubeAreaLight: true;
+  radius: number;
+  /** Without the half spheres. */
+  length: number;
+}
