@@ -12,8 +12,10 @@ const version = /GONIO_VERSION_STRING "([^"]+)"/.exec(readFileSync(join(root, 'l
 mkdirSync(folder, { recursive: true });
 const description = JSON.parse(readFileSync(join(here, 'package.json'), 'utf8'));
 writeFileSync(join(folder, 'package.json'), `${JSON.stringify({ ...description, version }, null, 2)}\n`);
-for (const name of ['index.mjs', 'index.d.ts', 'three.mjs', 'three.d.ts', 'three-area-lights.mjs', 'three-area-lights.d.ts', 'babylon.mjs', 'babylon.d.ts', 'README.md', 'AREA_LIGHTS.md'])
+for (const name of ['index.mjs', 'index.d.ts', 'three.mjs', 'three.d.ts', 'three-area-lights.mjs', 'three-area-lights.d.ts', 'babylon.mjs', 'babylon.d.ts', 'README.md'])
   copyFileSync(join(here, name), join(folder, name));
+// Without what lies outside the package.
+writeFileSync(join(folder, 'AREA_LIGHTS.md'), readFileSync(join(here, 'AREA_LIGHTS.md'), 'utf8').replaceAll(/!\[[^\]]*\]\(\.\.[^)]*\)\n\n\*[^\n]*\*\n\n/g, '').replaceAll(/\[([^\]]+)\]\(\.\.[^)]*\)/g, '$1'));
 copyFileSync(join(root, 'LICENSE'), join(folder, 'LICENSE'));
 copyFileSync(module, join(folder, 'gonio.mjs'));
 // The tool in the package prints what its area lights are made of.

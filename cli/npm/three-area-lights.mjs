@@ -179,6 +179,9 @@ function patch() {
 }
 
 export const GonioAreaLights = {
+  /** Whether materials that are compiled now have these lights. */
+  get isReady() { return before !== null; },
+
   /** Patches three.js, before the first frame. `shapes` are compiled; a light of another shape adds its own. */
   init({ shapes: wanted = ['rect'] } = {}) {
     for (const shape of wanted) if (!shapes.includes(shape)) throw new Error(`gonio/three-area-lights: unknown shape '${shape}'; there are: ${shapes.join(', ')}`);

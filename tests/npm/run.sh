@@ -24,9 +24,10 @@ cd "$work/user"
 npm init --yes > /dev/null
 npm pkg set type=module
 npm install --silent --no-audit --no-fund ../gonio-*.tgz three@0.187 @babylonjs/core@9 typescript@5 @types/node@18 @types/three@0.187
-cp "$root"/tests/npm/*.mjs "$root/tests/wasm/facts.mjs" "$root/tests/npm/types.ts" .
+cp "$root"/tests/npm/*.mjs "$root/tests/wasm/facts.mjs" "$root/cli/npm/area_light_data.mjs" "$root/tests/npm/types.ts" .
 stat --format 'package: %s bytes' ../gonio-*.tgz
 node package.mjs "$tool" "$root/profiles"
+node area_lights.mjs "$tool"
 npm install --silent --no-audit --no-fund --prefix "$work/old" node@18
 "$work/old/node_modules/node/bin/node" package.mjs "$tool" "$root/profiles"
 npx tsc --noEmit --strict --module nodenext --moduleResolution nodenext --target es2022 --skipLibCheck types.ts

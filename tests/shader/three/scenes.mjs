@@ -133,6 +133,22 @@ export function shown(kind, shape, roughness, width, height) {
   return renderer.domElement.toDataURL('image/png');
 }
 
+// Pictures (data URLs) side by side, in rows.
+export async function joined(rows, width, height) {
+  const canvas = document.createElement('canvas');
+  canvas.width = width * rows[0].length;
+  canvas.height = height * rows.length;
+  const context = canvas.getContext('2d');
+  for (const [row, urls] of rows.entries())
+    for (const [column, url] of urls.entries()) {
+      const image = new Image();
+      image.src = url;
+      await image.decode();
+      context.drawImage(image, width * column, height * row, width, height);
+    }
+  return canvas.toDataURL('image/png');
+}
+
 // What users do beside looking at one light: sentences about what went wrong.
 export function checks() {
   const failures = [];
@@ -210,6 +226,7 @@ export function checks() {
   const before = alone(four()[0]).out;
   RectAreaLightUniformsLib.init();
   check(apart(alone(four()[0]).out, before) === 0, 'RectAreaLightUniformsLib.init() changes the lights');
+  check(GonioAreaLights.isReady === true, 'not ready after init()');
   const rect = lights.rect.own(); // the constructors of the others would call init()
   place(rect);
   GonioAreaLights.dispose();
