@@ -1,11 +1,12 @@
-// The luminance of a surface under area lights by quadrature, for the pixels of a picture that another program has made.
+// The luminance of a surface under area lights by quadrature, for the pixels of a picture that another program has
+// made.
 //
 //   gonio-three-truth SCENE.json PIXELS TRUTH
 //
 // SCENE.json: `lights` with shape, center, axis (in which a flat light emits; along a tube), width_direction, sizes in
-// metres and luminance_nt; `base` and `metallic` of the material. PIXELS: for each, ten floats: position, unit normal, unit
-// direction to the eye, linear roughness. TRUTH gets a float for each [nt]: Lambert and GGX, f0 = 0.04 or the base, each
-// light entirely visible above the horizon.
+// metres and luminance_nt; `base` and `metallic` of the material. PIXELS: for each, ten floats: position, unit normal,
+// unit direction to the eye, linear roughness. TRUTH gets a float for each [nt]: Lambert and GGX, f0 = 0.04 or the
+// base, each light entirely visible above the horizon.
 #include <gonio/light/light.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/probe_light.hpp>
@@ -85,13 +86,13 @@ void run(const char* scene_file, const char* pixels_file, const char* truth_file
         for (const Light& light : lights) {
             const detail::ProbeShare share = detail::illuminance_of(light, at(0), normal, way);
             nt += detail::luminance_of(light, at(0), normal, {material, glm::normalize(at(6))}, share, way)
-                      .luminance.total().value;
+                      .luminance.total()
+                      .value;
         }
         truth.push_back(static_cast<float>(nt));
     }
     std::ofstream(truth_file, std::ios::binary)
-        .write(reinterpret_cast<const char*>(truth.data()),
-               static_cast<std::streamsize>(truth.size() * sizeof(float)));
+        .write(reinterpret_cast<const char*>(truth.data()), static_cast<std::streamsize>(truth.size() * sizeof(float)));
 }
 
 } // namespace
