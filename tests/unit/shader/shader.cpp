@@ -92,10 +92,12 @@ TEST_P(ShaderErrors, AreAsStated) {
     const std::vector<Case> cases = random_cases(formula, 10000);
     std::array<double, 2> worst{};
     double worst_in_double = 0.0;
+    std::vector<double> errors;
     for (const Case& pose : cases) {
         const std::array<float, 3> found = evaluate<float>(function, pose.inputs);
         const double error = error_of(pose, {found[0], found[1], found[2]}, function.result);
         worst[pose.is_near ? 1 : 0] = std::max(worst[pose.is_near ? 1 : 0], error);
+        errors.push_back(error);
         const std::vector<double> inputs(pose.inputs.begin(), pose.inputs.end());
         worst_in_double =
             std::max(worst_in_double, error_of(pose, evaluate<double>(function, inputs), function.result));
@@ -106,6 +108,10 @@ TEST_P(ShaderErrors, AreAsStated) {
     // In double the same graph is the core's formula, but for polynomials that are made for float, and for the limits
     // of ltc, which are those of float.
     EXPECT_LE(worst_in_double, formula.names.method == "ltc" ? formula.error.near : 6e-6);
+    if (formula.names.method == "ltc") { // as the README of the room says: few poses are near the worst
+        std::nth_element(errors.begin(), errors.begin() + 9900, errors.end());
+        EXPECT_LE(errors[9900], 2e-5);
+    }
     if (formula.names.method == "exact") {
         EXPECT_LE(formula.error.apart, 1e-5) << "the error bound of the core in float";
     }
