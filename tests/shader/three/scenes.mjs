@@ -45,7 +45,7 @@ export function sceneOf(shape, kind, roughness, metallic, base) {
 let renderer = null;
 export function rendererOf(kind, shape) {
   GonioAreaLights.dispose();
-  if (kind === 'gonio') GonioAreaLights.init({ shapes: [shape] });
+  if (kind === 'gonio') GonioAreaLights.init({ shapes: shape === 'all four' ? shapes : [shape] });
   else RectAreaLightUniformsLib.init();
   renderer?.forceContextLoss();
   renderer?.dispose();
@@ -102,9 +102,11 @@ export function surfaces(shape, roughness, width, height) {
   };
 }
 
-// Milliseconds until the first frame is there, and for each of the next ones.
+// `shape` may be 'all four', which are then in the scene together. Milliseconds until the first frame is there, and for each of the next ones.
 export function frameTime(kind, shape, count, width, height) {
-  const made = sceneOf(shape, kind, 0.3, 0, 0.5);
+  const made = sceneOf(shape === 'all four' ? shapes[0] : shape, kind, 0.3, 0, 0.5);
+  if (shape === 'all four')
+    for (const more of shapes.slice(1)) made.scene.add(sceneOf(more, kind, 0.3, 0, 0.5).light);
   renderer.setSize(width, height, false);
   const gl = renderer.getContext();
   const one = new Uint8Array(4);
