@@ -3,9 +3,9 @@
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/text.hpp>
 
-#include <fmt/format.h>
-
 #include "read_words.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>

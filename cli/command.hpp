@@ -50,9 +50,9 @@ struct Example {
 
 struct Command {
     std::string_view name;
-    HelpText summary;           // one line, no full stop
-    HelpText usage;             // the text after the name: "FILE… [options]"
-    HelpText arguments;         // lines about the positional arguments; may be empty
+    HelpText summary;   // one line, no full stop
+    HelpText usage;     // the text after the name: "FILE… [options]"
+    HelpText arguments; // lines about the positional arguments; may be empty
     std::span<const OptionGroup> groups;
     std::span<const Example> examples;
     int (*run)(const Arguments&, Console&); // returns the exit status

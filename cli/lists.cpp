@@ -124,7 +124,8 @@ constexpr NamedList skies_list{"skies", "skies of sky", skies};
 constexpr NamedList targets_list{"targets", "programs that import writes for", targets};
 
 #ifdef GONIO_PAGE_COMMANDS
-constexpr std::array lists{engines_list, images_list, layouts_list, materials_list, policies_list, shapes_list, skies_list, targets_list};
+constexpr std::array lists{engines_list,  images_list, layouts_list, materials_list,
+                           policies_list, shapes_list, skies_list,   targets_list};
 #else
 Entries limits() {
     Entries entries;

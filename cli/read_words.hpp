@@ -1,5 +1,5 @@
-// The words after a command's name, told apart: by CLI11 in read_words.cpp, and in WebAssembly, where it would be a tenth
-// of the page, in wasm/read_words.cpp, by the same rules.
+// The words after a command's name, told apart: by CLI11 in read_words.cpp, and in WebAssembly, where it would be a
+// tenth of the page, in wasm/read_words.cpp, by the same rules.
 #pragma once
 
 #include <gonio/base/result.hpp>

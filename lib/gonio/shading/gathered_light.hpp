@@ -56,8 +56,7 @@ template<class S, class Light>
     to.to_center = way_to(light, point.position);
     to.window = faded(light, to.to_center);
     if (parts.points) to.points.gather(points_of(light, SameFrame{}, to.to_center));
-    if (parts.nearest)
-        to.nearest = nearest_to(light, point.position, mirrored_view(point.normal, point.view));
+    if (parts.nearest) to.nearest = nearest_to(light, point.position, mirrored_view(point.normal, point.view));
 }
 
 // A light whose kind is known at run time alone; not a punctual one.

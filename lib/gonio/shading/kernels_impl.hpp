@@ -186,17 +186,18 @@ void reflect_part(const Surfaces& surfaces, const Light& any, const Material<S>&
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
                                     packet.load(surfaces.view)};
         constexpr GatheredParts read{Material<S>::scattering != Scattering::uniform, false};
-        seen_by(any, point, read, [&](const auto& light) __attribute__((always_inline)) {
-            const Reflected<S> parts = scattered_under(point, light, material);
-            vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
-            if constexpr (Glossy<Material>) {
-                const S window_left = faded(light, way_to(light, point.position));
-                const SpecularTerms<S> terms{packet.load(&under.scale[0]) * window_left,
-                                             packet.load(&under.grazing[0])};
-                luminance = luminance + gloss(material)(terms);
-            }
-            packet.store(finite(light.luminance * luminance), rgb);
-        });
+        seen_by(
+            any, point, read, [&](const auto& light) __attribute__((always_inline)) {
+                const Reflected<S> parts = scattered_under(point, light, material);
+                vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
+                if constexpr (Glossy<Material>) {
+                    const S window_left = faded(light, way_to(light, point.position));
+                    const SpecularTerms<S> terms{packet.load(&under.scale[0]) * window_left,
+                                                 packet.load(&under.grazing[0])};
+                    luminance = luminance + gloss(material)(terms);
+                }
+                packet.store(finite(light.luminance * luminance), rgb);
+            });
     });
 }
 
@@ -231,15 +232,16 @@ void add_coat(const Surfaces& surfaces, const Light& any, const CoatConstants& c
                                     packet.load(surfaces.view)};
         const SpecularTerms<S> of_base{packet.load(&base.scale[0]), packet.load(&base.grazing[0])};
         const SpecularTerms<S> of_top{packet.load(&top.scale[0]), packet.load(&top.grazing[0])};
-        seen_by(any, point, {true, true}, [&](const auto& light) __attribute__((always_inline)) {
-            const CoatUnderLight<S> left =
-                coat_under(point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
-            const S shine = coat_reflected(coat, of_top);
-            const vec3<S> lobes =
-                left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
-            const vec3<S> color = light.luminance * faded(light, way_to(light, point.position));
-            packet.store(finite(packet.load(rgb) * left.scattered.scattered(coat) + color * lobes), rgb);
-        });
+        seen_by(
+            any, point, {true, true}, [&](const auto& light) __attribute__((always_inline)) {
+                const CoatUnderLight<S> left =
+                    coat_under(point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
+                const S shine = coat_reflected(coat, of_top);
+                const vec3<S> lobes =
+                    left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
+                const vec3<S> color = light.luminance * faded(light, way_to(light, point.position));
+                packet.store(finite(packet.load(rgb) * left.scattered.scattered(coat) + color * lobes), rgb);
+            });
     });
 }
 
@@ -275,7 +277,8 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
                 lobe = {{glossy.f0.x, glossy.f0.y, glossy.f0.z}, glossy.f90, glossy.factor, glossy.lobe.alpha};
                 glossy_under<S, specular>(part, light, glossy.lobe, under);
             }
-            with_light_seen<S>(light, [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
+            with_light_seen<S>(light,
+                               [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
         }
     }
 }
