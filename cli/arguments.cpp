@@ -3,7 +3,8 @@
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/text.hpp>
 
-#include <CLI/CLI.hpp>
+#include "read_words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,31 +27,6 @@ bool is_list(const Option& option) {
     return option.value.ends_with(",…");
 }
 
-// The message for what CLI11 refused.
-Unexpected refused(const Command& command, const CLI::ParseError& error, const CLI::App& app) {
-    const std::string see = fmt::format("see 'gonio {} --help'", command.name);
-    for (const std::string& word : app.remaining()) {
-        if (!word.starts_with("-")) continue;
-        std::vector<std::string_view> known;
-        for (const Option* option : options_of(command))
-            for (const std::string_view name : spellings(*option))
-                known.push_back(name);
-        const std::string bare = word.substr(0, word.find('='));
-        const std::string_view guess = bare.size() > 2 ? nearest(bare, known) : std::string_view();
-        return fail("USE0102", fmt::format("unknown option '{}'", bare),
-                    guess.empty() ? see : fmt::format("did you mean '{}'?", guess));
-    }
-    // The text by CLI11 is "--shape: 1 required TEXT missing".
-    const std::string_view said = error.what();
-    constexpr std::string_view override = " was given a disallowed flag override"; // --json=1
-    if (said.ends_with(override))
-        return fail("USE0105", fmt::format("'--{}' takes no value", said.substr(0, said.size() - override.size())),
-                    see);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-        return fail("USE0104", fmt::format("option '{}' needs a value", said.substr(0, said.find(':'))), see);
-    return fail("USE0105", std::string(said), see);
-}
-
 } // namespace
 
 std::vector<std::string_view> spellings(const Option& option) {
@@ -64,40 +40,37 @@ std::vector<std::string_view> spellings(const Option& option) {
     return names;
 }
 
+std::string see_help(const Command& command) {
+    return fmt::format("see 'gonio {} --help'", command.name);
+}
+
+Unexpected unknown_option(const Command& command, std::span<const Option* const> options, std::string_view word) {
+    std::vector<std::string_view> known;
+    for (const Option* option : options)
+        for (const std::string_view name : spellings(*option))
+            known.push_back(name);
+    const std::string_view bare = word.substr(0, word.find('='));
+    const std::string_view guess = bare.size() > 2 ? nearest(bare, known) : std::string_view();
+    return fail("USE0102", fmt::format("unknown option '{}'", bare),
+                guess.empty() ? see_help(command) : fmt::format("did you mean '{}'?", guess));
+}
+
+Unexpected needs_value(const Command& command, std::string_view option) {
+    return fail("USE0104", fmt::format("option '{}' needs a value", option), see_help(command));
+}
+
+Unexpected takes_no_value(const Command& command, std::string_view option) {
+    return fail("USE0105", fmt::format("'{}' takes no value", option), see_help(command));
+}
+
 Result<Arguments> Arguments::parse(const Command& command, std::span<char* const> words) {
-    Arguments arguments;
     const std::vector<const Option*> options = options_of(command);
-    arguments.given_.resize(options.size());
-
-    CLI::App app;
-    app.set_help_flag();
-    std::vector<CLI::Option*> handles;
+    Result<ReadWords> read = read_words(command, options, words);
+    if (!read) return pass_on(read);
+    Arguments arguments;
+    arguments.positional_ = std::move(read->positional);
     for (std::size_t i = 0; i < options.size(); ++i) {
-        Given& given = arguments.given_[i];
-        given.name = spellings(*options[i]).back();
-        const std::string names(options[i]->names);
-        if (options[i]->value.empty()) {
-            handles.push_back(app.add_flag(names)->disable_flag_override());
-        } else {
-            handles.push_back(app.add_option(names, given.values)
-                                  ->type_size(1)
-                                  ->expected(1)
-                                  ->allow_extra_args(false)
-                                  ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
-        }
-    }
-    app.add_option("words", arguments.positional_)->expected(-1);
-
-    // CLI11 takes the words in reverse order.
-    std::vector<std::string> reversed(words.rbegin(), words.rend());
-    try {
-        app.parse(std::move(reversed));
-    } catch (const CLI::ParseError& error) {
-        return refused(command, error, app);
-    }
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        Given& given = arguments.given_[i];
-        given.present = handles[i]->count() > 0;
+        Given given{spellings(*options[i]).back(), std::move(read->options[i].values), read->options[i].present};
         if (is_list(*options[i]) && given.values.size() > 1)
             given.values = {fmt::format("{}", fmt::join(given.values, ","))};
         if (given.values.size() > 1 && !options[i]->repeatable)
@@ -105,6 +78,7 @@ Result<Arguments> Arguments::parse(const Command& command, std::span<char* const
                         fmt::format("{} is given {} times: '{}' and '{}'", given.name, given.values.size(),
                                     given.values[0], given.values[1]),
                         "give it once");
+        arguments.given_.push_back(std::move(given));
     }
     arguments.take_rig();
     return arguments;

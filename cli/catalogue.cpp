@@ -82,6 +82,8 @@ int run_catalogue(const Batch& batch, const Catalogue& catalogue, const std::str
 }
 
 Result<int> merge_manifests(const Arguments& arguments, Console& console) {
+    if constexpr (is_for_page)
+        return fail("UNS0101", "this page does not merge manifests", "the command-line tool does");
     const std::optional<std::string> output = arguments.value("--output");
     if (!output) return fail("USE0104", "no output is given", "use -o FILE");
     Result<std::vector<std::string>> names = input_files(arguments);

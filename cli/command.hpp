@@ -10,10 +10,30 @@ namespace gonio::cli {
 class Arguments;
 class Console;
 
+// The page (page/), which shows no help and takes a part of the tool alone. A file that is compiled for it with
+// GONIO_PAGE_COMMANDS has nothing else in it.
+#ifdef GONIO_PAGE_COMMANDS
+constexpr bool is_for_page = true;
+#else
+constexpr bool is_for_page = false;
+#endif
+
+// Text for readers of help.
+struct HelpText {
+    std::string_view text;
+
+    constexpr HelpText() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): stands for its text
+    consteval HelpText(const char* says) : text(is_for_page ? "" : says) {}
+    [[nodiscard]] constexpr bool empty() const { return text.empty(); }
+    // NOLINTNEXTLINE(google-explicit-constructor): as above
+    constexpr operator std::string_view() const { return text; }
+};
+
 struct Option {
     std::string_view names; // "-o,--output"; the last one is its name in Arguments
     std::string_view value; // "FILE"; empty for a switch
-    std::string_view help;
+    HelpText help;
     std::string_view list = {}; // the list of `gonio list` with the possible values, for completion
     bool repeatable = false;    // else a second value is refused, unless the value is a list ("TARGET,…")
 };
@@ -24,15 +44,15 @@ struct OptionGroup {
 };
 
 struct Example {
-    std::string_view command;
-    std::string_view says;
+    HelpText command;
+    HelpText says;
 };
 
 struct Command {
     std::string_view name;
-    std::string_view summary;   // one line, no full stop
-    std::string_view usage;     // the text after the name: "FILE… [options]"
-    std::string_view arguments; // lines about the positional arguments; may be empty
+    HelpText summary;   // one line, no full stop
+    HelpText usage;     // the text after the name: "FILE… [options]"
+    HelpText arguments; // lines about the positional arguments; may be empty
     std::span<const OptionGroup> groups;
     std::span<const Example> examples;
     int (*run)(const Arguments&, Console&); // returns the exit status

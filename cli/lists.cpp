@@ -55,10 +55,17 @@ namespace {
 
 using Entries = std::vector<ListEntry>;
 
-Entries limits() {
+Entries engines() {
     Entries entries;
-    for (const Limit& limit : gonio::limits)
-        entries.push_back({std::string(limit.name), fmt::format("{}: {}", amount_of(limit), limit.says)});
+    for (const Engine& engine : gonio::engines())
+        entries.push_back({std::string(engine.name), std::string(engine.summary)});
+    return entries;
+}
+
+Entries images() {
+    Entries entries;
+    for (const media::ImageFormat& format : media::image_formats())
+        entries.push_back({std::string(format.name), std::string(format.title)});
     return entries;
 }
 
@@ -69,10 +76,19 @@ Entries layouts() {
     return entries;
 }
 
-Entries engines() {
+Entries materials() {
     Entries entries;
-    for (const Engine& engine : gonio::engines())
-        entries.push_back({std::string(engine.name), std::string(engine.summary)});
+    for (const MaterialKind& kind : material_kinds())
+        entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
+    entries.push_back({"MATERIAL,coat=1,coat-smoothness=0.9,coat-order=physical",
+                       "any of these below a clear coat; see: gonio list coats"});
+    return entries;
+}
+
+Entries policies() {
+    Entries entries;
+    for (const Policy& policy : gonio::policies())
+        entries.push_back({std::string(policy.name), fmt::format("{} ({})", policy.summary, policy.source)});
     return entries;
 }
 
@@ -80,6 +96,41 @@ Entries shapes() {
     Entries entries;
     for (const ShapeKind& kind : shape_kinds())
         entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
+    return entries;
+}
+
+Entries skies() {
+    Entries entries;
+    for (const SkyKindInfo& kind : sky_kinds())
+        entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
+    return entries;
+}
+
+Entries targets() {
+    Entries entries;
+    for (const Target& target : gonio::targets())
+        entries.push_back({std::string(target.name), std::string(target.summary)});
+    return entries;
+}
+
+// With GONIO_PAGE_COMMANDS, where nobody can ask for another, these are all.
+constexpr NamedList engines_list{"engines", "targets of bake --engine", engines};
+constexpr NamedList images_list{"images", "picture formats that gonio writes", images};
+constexpr NamedList layouts_list{"layouts", "texture layouts of bake", layouts};
+constexpr NamedList materials_list{"materials", "materials of preview and probe", materials};
+constexpr NamedList policies_list{"policies", "how other programs read photometric numbers", policies};
+constexpr NamedList shapes_list{"shapes", "shapes of lights", shapes};
+constexpr NamedList skies_list{"skies", "skies of sky", skies};
+constexpr NamedList targets_list{"targets", "programs that import writes for", targets};
+
+#ifdef GONIO_PAGE_COMMANDS
+constexpr std::array lists{engines_list,  images_list, layouts_list, materials_list,
+                           policies_list, shapes_list, skies_list,   targets_list};
+#else
+Entries limits() {
+    Entries entries;
+    for (const Limit& limit : gonio::limits)
+        entries.push_back({std::string(limit.name), fmt::format("{}: {}", amount_of(limit), limit.says)});
     return entries;
 }
 
@@ -95,13 +146,6 @@ Entries units() {
     for (const Unit& unit : all_units())
         entries.push_back(
             {std::string(unit.symbol), fmt::format("{} ({})", unit.name, dimension_name(unit.dimension))});
-    return entries;
-}
-
-Entries skies() {
-    Entries entries;
-    for (const SkyKindInfo& kind : sky_kinds())
-        entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
     return entries;
 }
 
@@ -130,15 +174,6 @@ Entries stages() {
     Entries entries;
     for (const StageKind& kind : stage_kinds())
         entries.push_back({std::string(kind.name), std::string(kind.summary)});
-    return entries;
-}
-
-Entries materials() {
-    Entries entries;
-    for (const MaterialKind& kind : material_kinds())
-        entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
-    entries.push_back({"MATERIAL,coat=1,coat-smoothness=0.9,coat-order=physical",
-                       "any of these below a clear coat; see: gonio list coats"});
     return entries;
 }
 
@@ -204,13 +239,6 @@ Entries picture_method_names() {
     Entries entries;
     for (const PictureMethodInfo& method : cli::picture_methods())
         entries.push_back({std::string(method.name), method.summary});
-    return entries;
-}
-
-Entries policies() {
-    Entries entries;
-    for (const Policy& policy : gonio::policies())
-        entries.push_back({std::string(policy.name), fmt::format("{} ({})", policy.summary, policy.source)});
     return entries;
 }
 
@@ -303,13 +331,6 @@ Entries dialects() {
             {"lm-63-2002", "IES as of 2002"},
             {"lm-63-2019", "IES as of 2019"},
             {"portable", "IES that every engine and renderer reads the same way"}};
-}
-
-Entries images() {
-    Entries entries;
-    for (const media::ImageFormat& format : media::image_formats())
-        entries.push_back({std::string(format.name), std::string(format.title)});
-    return entries;
 }
 
 Entries instruction_sets() {
@@ -424,13 +445,6 @@ Entries shader_materials() {
     return shader_parts(&ShaderFormula::material, &ShaderFormula::what);
 }
 
-Entries targets() {
-    Entries entries;
-    for (const Target& target : gonio::targets())
-        entries.push_back({std::string(target.name), std::string(target.summary)});
-    return entries;
-}
-
 Entries table_axes() {
     return {
         {std::string(to_text(TableAxes::linear)), "u = n.v, v = roughness, texels in the middle of equal parts"},
@@ -458,22 +472,22 @@ constexpr std::array lists{
     NamedList{"diagrams", "diagrams of plot", diagrams},
     NamedList{"dialects", "IES dialects that convert writes", dialects},
     NamedList{"efficacies", "conventions for lumens per watt", efficacies},
-    NamedList{"engines", "targets of bake --engine", engines},
+    engines_list,
     NamedList{"falloffs", "how spots fall off between inner and outer", falloffs},
     NamedList{"formats", "profile formats", formats},
     NamedList{"illuminants", "CIE illuminants", illuminants},
-    NamedList{"images", "picture formats that gonio writes", images},
+    images_list,
     NamedList{"layers", "what preview --aov writes", layers},
-    NamedList{"layouts", "texture layouts of bake", layouts},
+    layouts_list,
     NamedList{"limits", "greatest sizes, counts and depths", limits},
     NamedList{"loci", "curves of colour against temperature", loci},
     NamedList{"looks", "display modes of preview", looks},
-    NamedList{"materials", "materials of preview and probe", materials},
+    materials_list,
     NamedList{"methods", "how the light of a shape is computed", methods},
     NamedList{"normalizations", "meanings of a texel of 1", normalizations},
     NamedList{"palettes", "colours of false-colour pictures", palettes},
     NamedList{"picture-methods", "methods of preview: for shapes, and for sky and reflections", picture_method_names},
-    NamedList{"policies", "how other programs read photometric numbers", policies},
+    policies_list,
     NamedList{"prefilters", "programs of sky prefilter --for", prefilters},
     NamedList{"presets", "everyday sources", presets},
     NamedList{"programs", "programs of units --for", programs},
@@ -488,9 +502,9 @@ constexpr std::array lists{
     NamedList{"shader-materials", "materials of shader, with what is computed", shader_materials},
     NamedList{"shader-methods", "methods of shader, with their lights", shader_methods},
     NamedList{"shaders", "functions that shader prints", shaders},
-    NamedList{"shapes", "shapes of lights", shapes},
+    shapes_list,
     NamedList{"simd", "instruction sets", instruction_sets},
-    NamedList{"skies", "skies of sky", skies},
+    skies_list,
     NamedList{"sky-layouts", "layouts of environment images", sky_layouts},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
@@ -501,13 +515,14 @@ constexpr std::array lists{
     NamedList{"table-axes", "where bake --table puts its texels", table_axes},
     NamedList{"table-forms", "how bake --table stores its numbers", table_forms},
     NamedList{"tables", "tables of bake --table", tables},
-    NamedList{"targets", "programs that import writes for", targets},
+    targets_list,
     NamedList{"tasks", "what standards require of light", tasks},
     NamedList{"tints", "tint conventions of other programs", tints},
     NamedList{"tone-maps", "curves that replace the view of a display", tone_maps},
     NamedList{"units", "units of values", units},
     NamedList{"weathers", "weather of the sky daylight", weathers},
 };
+#endif
 
 } // namespace
 

@@ -131,6 +131,8 @@ GldfProduct product_of(const LoadedProfile& loaded, const ProfileInputOptions& i
 
 // A profile goes into a GLDF as it is; of a GLDF the photometry that is chosen.
 Result<Converted> convert_to_gldf(const Job& job, const Request& request) {
+    if constexpr (is_for_page)
+        return fail("UNS0101", "this page does not write luminaires", "the command-line tool does");
     ProfileInputOptions input = request.input;
     input.photometric = true;
     Result<LoadedProfile> loaded = load(job.input, input);
@@ -254,6 +256,8 @@ Result<std::optional<double>> compact_tolerance(const Arguments& arguments) {
 
 // The photometric files and spectra of a GLDF, unchanged: all of them or none.
 Result<int> extract(const Arguments& arguments, const std::vector<std::string>& inputs, Console& console) {
+    if constexpr (is_for_page)
+        return fail("UNS0101", "this page does not unpack luminaires", "the command-line tool does");
     for (const std::string_view option :
          {"--to", "--dialect", "--compact", "--smooth", "--output", "--update", "--mirror", "--variant", "--emitter",
           "--from", "--lamp-set", "--tilt", "--azimuth", "--as-candela", "--json", "--jsonl", "--jobs"})

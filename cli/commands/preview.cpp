@@ -249,6 +249,8 @@ Result<int> preview(const Arguments& arguments, Console& console) {
 }
 
 int run(const Arguments& arguments, Console& console) {
+    if constexpr (is_for_page) // it draws with these options by itself
+        return console.fail(fail("UNS0101", "this page writes no pictures", "the command-line tool does").value());
     const Result<int> status = preview(arguments, console);
     return status ? *status : console.fail(status.error());
 }

@@ -151,6 +151,7 @@ Outcome check(const std::string& file, const RigReadOptions& options, const SkyR
 }
 
 Result<int> check_all(const Arguments& arguments, Console& console) {
+    if constexpr (is_for_page) return fail("UNS0101", "this page does not check rigs", "the command-line tool does");
     const std::vector<std::string> files(arguments.positional().begin() + 1, arguments.positional().end());
     if (files.empty()) return fail("USE0104", "no rig is given", "for example: gonio rig check room.json");
     if (arguments.has("--output")) return fail("USE0107", "'rig check' writes no file", "leave -o out");
@@ -225,6 +226,7 @@ std::optional<double> flux_lm(const Light& light) {
 }
 
 Result<int> list(const Arguments& arguments, Console& console) {
+    if constexpr (is_for_page) return fail("UNS0101", "this page does not list lights", "the command-line tool does");
     Result<std::string> file = only_rig(arguments, "list");
     if (!file) return pass_on(file);
     if (arguments.has("--output")) return fail("USE0107", "'rig list' writes no file", "leave -o out");

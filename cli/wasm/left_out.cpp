@@ -1,7 +1,9 @@
 // What the page never asks for, so that it holds no code for it: this stands in its link before the tool and the
 // library. A call that comes here nevertheless is refused.
+#include <gonio/plot/falloff_diagram.hpp>
 #include <gonio/preview/capture.hpp>
 
+#include "../bake/table_job.hpp"
 #include "../preview/compare.hpp"
 #include "../preview/layers.hpp"
 #include "../preview/profile_sheet.hpp"
@@ -30,7 +32,15 @@ Result<LocalProbe> local_probe(const Stage& /*stage*/, std::span<const Light> /*
     return left_out("pictures of surroundings");
 }
 
+Result<Drawing> falloff_diagram(std::span<const PlottedLight> /*lights*/, const FalloffOptions& /*options*/) {
+    return left_out("diagrams of falloff");
+}
+
 namespace cli {
+
+Result<int> bake_table(const Command& /*command*/, const Arguments& /*arguments*/, Console& /*console*/) {
+    return left_out("tables for shaders");
+}
 
 Result<int> preview_compare(const Arguments& /*arguments*/, Console& /*console*/) {
     return left_out("comparisons of methods");

@@ -12,6 +12,13 @@ if(GONIO_WASM_SMALL)
     add_link_options(-flto)
 endif()
 
+# Every engine with SIMD has these instructions, which are shorter than what stands for them (those of bulk memory are too, but
+# need threads for `thread_local`). There are no threads that could initialise a static variable twice.
+if(GONIO_WASM_SIMD)
+    add_compile_options(-mnontrapping-fptoint -msign-ext)
+endif()
+add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fno-threadsafe-statics>)
+
 # Header-only libraries are the same for every machine, but their CMake packages either refuse a processor with 32 bits or
 # name the folder where this machine's C library also has its headers. So the folders of just these libraries are linked
 # into the build.
@@ -31,9 +38,6 @@ gonio_add_headers(glm::glm glm/glm.hpp)
 gonio_add_headers(tl::expected tl/expected.hpp)
 gonio_add_headers(fmt::fmt fmt/format.h)
 gonio_add_headers(nlohmann_json::nlohmann_json nlohmann/json.hpp)
-if(GONIO_TOOL)
-    gonio_add_headers(CLI11::CLI11 CLI/CLI.hpp)
-endif()
 add_library(fmt::fmt-header-only INTERFACE IMPORTED)
 target_link_libraries(fmt::fmt-header-only INTERFACE fmt::fmt)
 target_compile_definitions(fmt::fmt-header-only INTERFACE FMT_HEADER_ONLY=1)

@@ -27,4 +27,4 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/png/pnglibconf.h" CONTENT "${config
 
 add_library(gonio-png STATIC ${sources})
 target_include_directories(gonio-png SYSTEM PUBLIC "${PROJECT_BINARY_DIR}/png" "${GONIO_LIBPNG_SOURCE}" "${GONIO_ZLIB_SOURCE}")
-target_compile_options(gonio-png PRIVATE -w -O2 -fwasm-exceptions)
+target_compile_options(gonio-png PRIVATE -w -Os -fwasm-exceptions)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <variant>
 
@@ -21,6 +22,13 @@ namespace gonio::detail {
 namespace {
 
 using Vec = shading::vec3<double>;
+
+// With GONIO_STANDARD_METHODS, where nobody can ask for these methods, nothing is compiled for them: no number.
+#ifdef GONIO_STANDARD_METHODS
+constexpr bool is_left_out = true;
+#else
+constexpr bool is_left_out = false;
+#endif
 
 // Not inlined: they do not depend on the material, and are compiled once for each light instead of once for each pair.
 template<class CoreLight>
@@ -171,6 +179,10 @@ bool has_named_lobe(const Material& material) {
 
 NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                                const ProbeSurface& surface, IrradianceMethod method) {
+    if constexpr (is_left_out) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {none, none};
+    }
     const Vec center = vec(light.frame.origin - position);
     const shading::SurfacePoint<double> point{{0.0, 0.0, 0.0}, vec(normal), vec(surface.view)};
     Frame from_here = light.frame;

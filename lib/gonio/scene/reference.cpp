@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <type_traits>
@@ -33,6 +34,13 @@ using detail::PolarEdges;
 using detail::PolarPeak;
 using detail::Vec;
 using detail::vec;
+
+// With GONIO_STANDARD_METHODS, where nobody can ask for the luminance, nothing is compiled for it: no number.
+#ifdef GONIO_STANDARD_METHODS
+constexpr bool is_left_out = true;
+#else
+constexpr bool is_left_out = false;
+#endif
 
 // Lights of a smaller apparent size have no digits left of their own outline; they count as a direction.
 constexpr double least_reach = 1e-8; // [rad]
@@ -276,6 +284,10 @@ ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& posit
 
 ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                                        const glm::dvec3& view, const Material& material, const ReferenceGoal& goal) {
+    if constexpr (is_left_out) {
+        constexpr ReferenceValue none{std::numeric_limits<double>::quiet_NaN(), 0.0, 0, false};
+        return {none, none};
+    }
     if (!has_extent(light.shape) || !(glm::dot(normal, view) > 0.0)) return {};
     const Pose p = pose(light, position, normal);
     if (p.region.dark() || !(p.scale > 0.0)) return {};

@@ -8,10 +8,10 @@
 
 #include <gonio/shading/brdf.hpp>
 #include <gonio/shading/coat.hpp>
+#include <gonio/shading/gathered_light.hpp>
 #include <gonio/shading/ggx.hpp>
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/reflect.hpp>
-#include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
@@ -103,9 +103,8 @@ GONIO_FORCE_INLINE CoatUnderLight<S> coat_under(const SurfacePoint<S>& point, co
     const CoatPass<S> scattered = coat_pass(over.mean, towards_eye);
     if (!lobe.is_there) return {scattered, scattered};
     // What the points miss of the lobe is at the light's point nearest to the mirrored ray.
-    const vec3<S> mirrored = n * (S(2) * n_dot_v) - point.view;
-    const auto seen = seen_from(light, detail::way_to(light, point.position));
-    const S nearest = coat_albedo(coat, dot(n, detail::approach(seen.light, seen.to_center, mirrored).toward));
+    const vec3<S> mirrored = detail::mirrored_view(n, point.view);
+    const S nearest = coat_albedo(coat, dot(n, detail::nearest_to(light, point.position, mirrored)));
     const S missed = simd::max(lobe.seen.scale - over.lobe, S(0));
     const S all = missed + over.lobe;
     const auto known = all > S(1e-30);

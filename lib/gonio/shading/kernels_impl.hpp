@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gonio/shading/coat_area.hpp>
+#include <gonio/shading/gathered_light.hpp>
 #include <gonio/shading/irradiance_approximate.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
@@ -75,7 +76,11 @@ void irradiance_sun(const Surfaces& surfaces, const LightConstants& light_consta
 
 template<class S>
 void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float* lx) {
+#ifdef GONIO_SMALL_KERNELS
+    using Two = S;
+#else
     using Two = simd::paired<S>; // two dependency chains fill each other's gaps
+#endif
     if (light.kind == LightConstants::Kind::punctual) return irradiance_punctual<S>(surfaces, light, lx);
     if (light.kind == LightConstants::Kind::sun) return irradiance_sun<S>(surfaces, light, lx);
     with_area_light(light.kind, [&]<template<class> class Light>(OfKind<Light>) {
@@ -115,6 +120,36 @@ void shade_coated_punctual(const Surfaces& surfaces, const LightConstants& light
     });
 }
 
+// The kernels of a part give their work a light: of its kind, or, where they are to be small, as gathered for a packet.
+#ifdef GONIO_SMALL_KERNELS
+template<class S>
+[[gnu::noinline]] AnyLight<S> any_light(const LightConstants& from) {
+    return AnyLight<S>([&](const auto& take) { with_light<S>(from, take); });
+}
+template<class S, class Work>
+GONIO_FORCE_INLINE void with_light_seen(const LightConstants& from, const Work& work) {
+    work(any_light<S>(from));
+}
+// Calls work(light) for the receivers of a packet.
+template<class S, class Work>
+GONIO_FORCE_INLINE auto seen_by(const AnyLight<S>& light, const SurfacePoint<S>& point, GatheredParts parts,
+                                const Work& work) {
+    GatheredLight<S> gathered;
+    light.gathered(point, parts, gathered);
+    return work(gathered);
+}
+#else
+template<class S, class Work>
+GONIO_FORCE_INLINE void with_light_seen(const LightConstants& from, const Work& work) {
+    with_light<S>(from, work);
+}
+template<class S, class Light, class Work>
+GONIO_FORCE_INLINE auto seen_by(const Light& light, const SurfacePoint<S>& /*point*/, GatheredParts /*parts*/,
+                                const Work& work) {
+    return work(light);
+}
+#endif
+
 // The effect of an area light at the points of a part: illuminance [lx] and luminances of the glossy part, both for
 // 1 nt.
 template<class S>
@@ -145,19 +180,24 @@ void reflect_part(const Surfaces& surfaces, const LightConstants& light, const L
 }
 
 template<class S, class Light, template<class> class Material>
-void reflect_part(const Surfaces& surfaces, const Light& light, const Material<S>& material,
+void reflect_part(const Surfaces& surfaces, const Light& any, const Material<S>& material,
                   const PartUnderLight<S>& under, float* const rgb[3]) {
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
                                     packet.load(surfaces.view)};
-        const Reflected<S> parts = scattered_under(point, light, material);
-        vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
-        if constexpr (Glossy<Material>) {
-            const S window_left = faded(light, way_to(light, point.position));
-            const SpecularTerms<S> terms{packet.load(&under.scale[0]) * window_left, packet.load(&under.grazing[0])};
-            luminance = luminance + gloss(material)(terms);
-        }
-        packet.store(finite(light.luminance * luminance), rgb);
+        constexpr GatheredParts read{Material<S>::scattering != Scattering::uniform, false};
+        seen_by(
+            any, point, read, [&](const auto& light) __attribute__((always_inline)) {
+                const Reflected<S> parts = scattered_under(point, light, material);
+                vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
+                if constexpr (Glossy<Material>) {
+                    const S window_left = faded(light, way_to(light, point.position));
+                    const SpecularTerms<S> terms{packet.load(&under.scale[0]) * window_left,
+                                                 packet.load(&under.grazing[0])};
+                    luminance = luminance + gloss(material)(terms);
+                }
+                packet.store(finite(light.luminance * luminance), rgb);
+            });
     });
 }
 
@@ -182,7 +222,7 @@ struct LobeReflectance {
 
 // Turns what a base scatters into what it shows through a coat, and adds both lobes.
 template<class S, class Light>
-void add_coat(const Surfaces& surfaces, const Light& light, const CoatConstants& coat_constants,
+void add_coat(const Surfaces& surfaces, const Light& any, const CoatConstants& coat_constants,
               const LobeReflectance& lobe, const PartUnderLight<S>& base, const PartUnderLight<S>& top,
               float* const rgb[3]) {
     const Coat<S> coat = coat_of<S>(coat_constants);
@@ -192,13 +232,16 @@ void add_coat(const Surfaces& surfaces, const Light& light, const CoatConstants&
                                     packet.load(surfaces.view)};
         const SpecularTerms<S> of_base{packet.load(&base.scale[0]), packet.load(&base.grazing[0])};
         const SpecularTerms<S> of_top{packet.load(&top.scale[0]), packet.load(&top.grazing[0])};
-        const CoatUnderLight<S> left =
-            coat_under(point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
-        const S shine = coat_reflected(coat, of_top);
-        const vec3<S> lobes =
-            left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
-        const vec3<S> color = light.luminance * faded(light, way_to(light, point.position));
-        packet.store(finite(packet.load(rgb) * left.scattered.scattered(coat) + color * lobes), rgb);
+        seen_by(
+            any, point, {true, true}, [&](const auto& light) __attribute__((always_inline)) {
+                const CoatUnderLight<S> left =
+                    coat_under(point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
+                const S shine = coat_reflected(coat, of_top);
+                const vec3<S> lobes =
+                    left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
+                const vec3<S> color = light.luminance * faded(light, way_to(light, point.position));
+                packet.store(finite(packet.load(rgb) * left.scattered.scattered(coat) + color * lobes), rgb);
+            });
     });
 }
 
@@ -223,7 +266,7 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
         if constexpr (__is_same(Material<S>, Lambert<S>))
             reflect_part<S>(part, light, material, under, to);
         else
-            with_light<S>(light, [&](const auto& spread) { reflect_part<S>(part, spread, material, under, to); });
+            with_light_seen<S>(light, [&](const auto& spread) { reflect_part<S>(part, spread, material, under, to); });
         if (coat.is_on) {
             PartUnderLight<S> top;
             const float alpha = coat_alpha(coat_of<float>(coat));
@@ -234,7 +277,8 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
                 lobe = {{glossy.f0.x, glossy.f0.y, glossy.f0.z}, glossy.f90, glossy.factor, glossy.lobe.alpha};
                 glossy_under<S, specular>(part, light, glossy.lobe, under);
             }
-            with_light<S>(light, [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
+            with_light_seen<S>(light,
+                               [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
         }
     }
 }

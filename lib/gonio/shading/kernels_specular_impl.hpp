@@ -11,6 +11,34 @@
 
 namespace gonio::shading::detail {
 
+// A lobe whose kind is known at run time alone, for kernels that are to be small.
+template<class S>
+struct AnyLobe {
+    S alpha, power;
+    bool is_power;
+
+    GONIO_FORCE_INLINE AnyLobe(GgxLobe<S> lobe) : alpha(lobe.alpha), power(S(0)), is_power(false) {}
+    GONIO_FORCE_INLINE AnyLobe(CosinePowerLobe<S> lobe) : alpha(lobe.alpha), power(lobe.power), is_power(true) {}
+
+    GONIO_FORCE_INLINE S value(S n_dot_l, S n_dot_v, const HalfVector<S>& h) const {
+        return is_power ? CosinePowerLobe<S>{alpha, power}.value(n_dot_l, n_dot_v, h)
+                        : GgxLobe<S>{alpha}.value(n_dot_l, n_dot_v, h);
+    }
+    GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
+        return is_power ? CosinePowerLobe<S>{alpha, power}.albedo_share(n_dot_v) : S(1);
+    }
+    GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
+        return is_power ? CosinePowerLobe<S>{alpha, power}(n, l, v, widened) : GgxLobe<S>{alpha}(n, l, v, widened);
+    }
+};
+#ifdef GONIO_SMALL_KERNELS
+template<class S, template<class> class Lobe>
+using lobe_for = AnyLobe<S>;
+#else
+template<class S, template<class> class Lobe>
+using lobe_for = Lobe<S>;
+#endif
+
 template<class S, class Light, class Lobe, SpecularMethod method>
 void specular_batch(const Surfaces& surfaces, const LightConstants& light_constants, const Lobe& lobe, float* scale,
                     float* grazing) {
@@ -25,6 +53,30 @@ void specular_batch(const Surfaces& surfaces, const LightConstants& light_consta
     });
 }
 
+// specular_ltc() of a packet, in small kernels once for all lights that are seen as the same.
+#ifdef GONIO_SMALL_KERNELS
+template<class S, class Seen, class Lobe>
+[[gnu::noinline]] void specular_of_seen(const Seen& light, const vec3<S>& to_center, const SurfacePoint<S>& point,
+                                        const Lobe& lobe, const LtcGgxOfAlpha<S>& cosine_of,
+                                        SpecularLuminance<S>& found) {
+    found = specular_ltc(light, to_center, point.normal, point.view, lobe, cosine_of);
+}
+template<class S, class Light, class Lobe>
+GONIO_FORCE_INLINE SpecularLuminance<S> specular_of(const Light& light, const SurfacePoint<S>& point, const Lobe& lobe,
+                                                    const LtcGgxOfAlpha<S>& cosine_of) {
+    const auto seen = seen_from(light, way_to(light, point.position));
+    SpecularLuminance<S> found;
+    specular_of_seen(seen.light, seen.to_center, point, lobe, cosine_of, found);
+    return found;
+}
+#else
+template<class S, class Light, class Lobe>
+GONIO_FORCE_INLINE SpecularLuminance<S> specular_of(const Light& light, const SurfacePoint<S>& point, const Lobe& lobe,
+                                                    const LtcGgxOfAlpha<S>& cosine_of) {
+    return specular_ltc(light, way_to(light, point.position), point.normal, point.view, lobe, cosine_of);
+}
+#endif
+
 // There is one α, so one row of the table of lobes serves all points.
 template<class S, class Light, class Lobe>
 void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_constants, const Lobe& lobe, float* scale,
@@ -35,9 +87,9 @@ void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_co
     simd::store(lobe.alpha, &alpha[0]);
     const LtcGgxOfAlpha<S> cosine_of(alpha[0]);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
-        const vec3<S> center = way_to(light, packet.load(surfaces.position));
-        const SpecularLuminance<S> found =
-            specular_ltc(light, center, packet.load(surfaces.normal), packet.load(surfaces.view), lobe, cosine_of);
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
+                                    packet.load(surfaces.view)};
+        const SpecularLuminance<S> found = specular_of(light, point, lobe, cosine_of);
         packet.store(found.scale, scale);
         packet.store(found.grazing, grazing);
     });
@@ -89,7 +141,7 @@ void specular_lobe(const Surfaces& surfaces, const LightConstants& light, const 
 template<class S>
 void specular_any(const Surfaces& surfaces, const LightConstants& light, float alpha, SpecularMethod method,
                   float* scale, float* grazing) {
-    const GgxLobe<S> lobe{simd::min(simd::max(S(alpha), S(minimum_alpha)), S(1))};
+    const lobe_for<S, GgxLobe> lobe(GgxLobe<S>{simd::min(simd::max(S(alpha), S(minimum_alpha)), S(1))});
     specular_lobe<S>(surfaces, light, lobe, method, scale, grazing);
 }
 
@@ -98,7 +150,8 @@ void specular_power_any(const Surfaces& surfaces, const LightConstants& light, f
                         float* scale, float* grazing) {
     Blinn<S> material{};
     material.power = S(power);
-    specular_lobe<S>(surfaces, light, gloss(material).lobe, method, scale, grazing);
+    const lobe_for<S, CosinePowerLobe> lobe(gloss(material).lobe);
+    specular_lobe<S>(surfaces, light, lobe, method, scale, grazing);
 }
 
 } // namespace gonio::shading::detail

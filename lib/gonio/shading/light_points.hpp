@@ -115,6 +115,31 @@ struct TubePoints {
     }
 };
 
+// The points of a light of any kind.
+template<class S>
+struct GatheredPoints {
+    static constexpr std::size_t most = 10;
+
+    vec3<S> at[most];
+    S strength[most];
+    std::size_t count;
+
+    template<class Points>
+    GONIO_FORCE_INLINE void gather(const Points& points) {
+        count = 0;
+        points.for_each([&](vec3<S> p, S s) __attribute__((always_inline)) {
+            at[count] = p;
+            strength[count] = s;
+            ++count;
+        });
+    }
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each(const Work& work) const {
+        for (std::size_t i = 0; i < count; ++i)
+            work(at[i], strength[i]);
+    }
+};
+
 // Scales so that no square exceeds the range of numbers: the centre's largest component, or the light's size where that
 // is larger, becomes at most a quarter.
 template<class S, class Light>

@@ -23,6 +23,11 @@ struct Incidence {
 
 namespace detail {
 
+template<class S>
+GONIO_FORCE_INLINE vec3<S> mirrored_view(vec3<S> normal, vec3<S> view) {
+    return normal * (S(2) * dot(normal, view)) - view;
+}
+
 // If the centre of a light that is partly above the horizon is below it, the diffuse part is evaluated just above the
 // horizon.
 template<class S>

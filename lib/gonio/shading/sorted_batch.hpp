@@ -368,10 +368,11 @@ struct SortedBatch {
             hard[at / lanes] = step<kind>(spread, surfaces, at, lx) & lanes_below(count - at);
             any_hard |= hard[at / lanes];
         }
-        if (whole < surfaces.count) {
-            hard[whole / lanes] = step_of_half<kind>(surfaces, whole, lx) & lanes_below(count - whole);
-            any_hard |= hard[whole / lanes];
-        }
+        if constexpr (half_lanes < lanes)
+            if (whole < surfaces.count) {
+                hard[whole / lanes] = step_of_half<kind>(surfaces, whole, lx) & lanes_below(count - whole);
+                any_hard |= hard[whole / lanes];
+            }
         if (any_hard == 0) return;
         if constexpr (kind != Kind::plain && kind != Kind::end) {
             for (std::size_t at = 0; at < surfaces.count; at += lanes) {

@@ -77,6 +77,25 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
     return sums;
 }
 
+// The same for points of any light: not inlined, where kernels are to be small.
+template<bool with_cosine, class S, class Lobe>
+[[gnu::noinline]] void sum_gathered(const GatheredPoints<S>& points, const Lobe& lobe, const LtcLobe<S>& cosine,
+                                    const vec3<S>& v, PointSums<S>& sums) {
+    sums = point_sums<with_cosine>(points, lobe, cosine, v);
+}
+template<bool with_cosine, class S, class Points, class Lobe>
+GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine, vec3<S> v) {
+#ifdef GONIO_SMALL_KERNELS
+    GatheredPoints<S> gathered;
+    gathered.gather(points);
+    PointSums<S> sums;
+    sum_gathered<with_cosine>(gathered, lobe, cosine, v, sums);
+    return sums;
+#else
+    return point_sums<with_cosine>(points, lobe, cosine, v);
+#endif
+}
+
 // Sizes after the transform (a length over its distance). Below the first only the points are used; above the second
 // they only correct the transformed cosine's share, with less and less weight from the third to the fourth.
 inline constexpr double ltc_points_alone[2] = {0.15, 0.25};
@@ -112,11 +131,11 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     const auto small = size2 < S(alone2) * distance2;
     const auto dark = simd::either(c.z < -rise, !seen);
     if (simd::all(simd::either(small, dark))) {
-        const detail::PointSums<S> sums = detail::point_sums<false>(points, lobe, cosine, v);
+        const detail::PointSums<S> sums = detail::sums_over<false>(points, lobe, cosine, v);
         const S scale = simd::min(simd::max(simd::select(dark, S(0), sums.value), S(0)), S(1));
         return {scale, simd::min(sums.grazing / simd::max(sums.value, S(1e-36)), S(1))};
     }
-    const detail::PointSums<S> sums = detail::point_sums<true>(points, lobe, cosine, v);
+    const detail::PointSums<S> sums = detail::sums_over<true>(points, lobe, cosine, v);
     const S determinant = cosine.m11 * simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
     const S albedo = cosine.albedo * lobe.albedo_share(v.z);
     const S share = detail::ltc_share(cosine, frame, light, to_center) * albedo;
