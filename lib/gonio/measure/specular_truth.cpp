@@ -98,11 +98,17 @@ public:
         for (int i = 0; i < cells; ++i)
             for (int k = 0; k < cells; ++k)
                 first += cell(i * step, k * step, step);
-        tolerance_ = 1e-6 * first / cells;
-        double sum = 0.0;
-        for (int i = 0; i < cells; ++i)
-            for (int k = 0; k < cells; ++k)
-                sum += refined(i * step, k * step, step, cell(i * step, k * step, step), 0);
+        // A narrow peak at one of the points makes the first sum far too large, and the tolerance with it.
+        double sum = first;
+        double before = 0.0;
+        do {
+            before = sum;
+            tolerance_ = 1e-6 * before / cells;
+            sum = 0.0;
+            for (int i = 0; i < cells; ++i)
+                for (int k = 0; k < cells; ++k)
+                    sum += refined(i * step, k * step, step, cell(i * step, k * step, step), 0);
+        } while (sum < 0.5 * before);
         return sum;
     }
 
