@@ -4,9 +4,12 @@
 #include <gonio/shading/irradiance_cylinder.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels_specular.hpp>
+#include <gonio/shading/packet.hpp>
+#include <gonio/shading/specular_by_rows.hpp>
 #include <gonio/shading/specular_in_double.hpp>
 #include <gonio/simd/dispatch.hpp>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -70,6 +73,24 @@ void ltc_in_double(const SpecularCases& cases, std::span<double> luminance) {
     }
 }
 
+// A candidate that no kernel has: one number at a time.
+template<class S>
+void by_rows(const SpecularCases& cases, std::span<S> luminance) {
+    for (std::size_t g = 0; g < cases.area.lights.size(); ++g)
+        shading::detail::with_light<S>(cases.area.lights[g], [&](const auto& light) {
+            const shading::GgxLobe<S> lobe{static_cast<S>(cases.alpha[g])};
+            const std::size_t end = std::min((g + 1) * SpecularCases::group_size, cases.size());
+            for (std::size_t i = g * SpecularCases::group_size; i < end; ++i) {
+                const auto of = [i](const std::array<std::vector<float>, 3>& v) {
+                    return vec3<S>{static_cast<S>(v[0][i]), static_cast<S>(v[1][i]), static_cast<S>(v[2][i])};
+                };
+                luminance[i] = specular_by_rows(light, of(cases.area.position) * S(-1), of(cases.area.normal),
+                                                of(cases.view), lobe)
+                                   .scale;
+            }
+        });
+}
+
 // One float at a time is a set of its own.
 SpecularMethodUnderTest kernel_method(const char* name, SpecularMethod method, simd::InstructionSet set) {
     const shading::SpecularKernels& kernels = shading::specular_kernels(set);
@@ -91,6 +112,8 @@ std::vector<SpecularMethodUnderTest> specular_methods(Kind kind) {
     for (const auto& [name, method] : names)
         for (const simd::InstructionSet set : simd::available_sets())
             methods.push_back(kernel_method(name, method, set));
+    methods.push_back({"ltc-rows", "double", {}, by_rows<double>});
+    methods.push_back({"ltc-rows", "float", by_rows<float>, {}});
     return methods;
 }
 

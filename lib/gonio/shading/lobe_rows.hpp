@@ -1,0 +1,591 @@
+// The integral of a lobe over the directions in which a receiver sees a light, along rows of points that the lobe
+// places.
+//
+// A linearly transformed cosine (ltc_lobe.hpp) takes the lobe almost to a cosine, and the light's cone of directions to
+// another convex cone. That cone is cut into half planes through an axis A that is perpendicular to the cosine's axis
+// z' and parallel to the boundary nearest to it: B cos ψ + A sin ψ, where B is at the angle ω about A. The rows, over
+// ω, are placed as if the lobe were the cosine. Along a row, 1 + (tan θ_h/α)² of the half vector (the denominator of
+// GGX, whose square is in the lobe) is nearly a quadratic polynomial of τ = tan ψ, so the points are placed as if it
+// were: at equal steps of the angle whose tangent is (τ − τ_min)/width. At each point the lobe itself is evaluated, so
+// nothing of the fit is left but the places. A row ends exactly at the light's outline and at the receiver's horizon.
+//
+// Directions here are in the receiver's frame (ltc_frame), and primed ones in the transformed space. Nothing fails:
+// finite input gives finite sums.
+#pragma once
+
+#include <gonio/shading/gloss.hpp>
+#include <gonio/shading/light_points.hpp>
+#include <gonio/shading/lights.hpp>
+#include <gonio/shading/ltc_share.hpp>
+
+#include <cstddef>
+
+namespace gonio::shading::detail {
+
+// A pair ±at of points of a Gauss–Legendre rule on [-1, 1], and the sine and the cosine of at·β by t = tan(β/2):
+// t·sine(t²) and cosine(t²) are within 2e-4 for β up to π/2.
+struct AnglePair {
+    float weight;
+    float sine[6], cosine[6];
+};
+// Members of a template on the scalar: nothing here may be shared between instruction sets.
+template<class S>
+struct LobeRule {
+    static constexpr AnglePair four[2] = {
+        {0.65214515F,
+         {0.67996208F, -0.27901736F, 0.18790929F, -0.13328461F, 0.073173434F, -0.019744766F},
+         {1.0F, -0.2311443F, 0.16150072F, -0.11684504F, 0.064801798F, -0.01757186F}},
+        {0.34785485F,
+         {1.7222726F, -1.4251766F, 1.3040755F, -1.100428F, 0.66265866F, -0.18727754F},
+         {1.0F, -1.482752F, 1.3370213F, -1.1214585F, 0.6735289F, -0.19012106F}}};
+    static constexpr AnglePair six[3] = {
+        {0.46791393F,
+         {0.47723838F, -0.17717688F, 0.1128402F, -0.077315362F, 0.04163636F, -0.011125515F},
+         {1.0F, -0.11386455F, 0.077383603F, -0.055011888F, 0.030207713F, -0.0081494394F}},
+        {0.36076157F,
+         {1.3224188F, -0.82608786F, 0.67560193F, -0.5356788F, 0.31215222F, -0.086780107F},
+         {1.0F, -0.87423487F, 0.70216524F, -0.55221626F, 0.32057418F, -0.08896614F}},
+        {0.17132449F,
+         {1.864939F, -1.7022238F, 1.6183251F, -1.3949549F, 0.84949917F, -0.24143933F},
+         {1.0F, -1.7385311F, 1.6395042F, -1.40865F, 0.85663155F, -0.24331242F}}};
+    // Five, with the weight of the middle one.
+    static constexpr float middle = 0.56888889F;
+    static constexpr AnglePair five[2] = {
+        {0.47862867F,
+         {1.0769386F, -0.56706039F, 0.4310074F, -0.32801818F, 0.18704335F, -0.051439413F},
+         {1.0F, -0.57980673F, 0.43797834F, -0.33233161F, 0.18923199F, -0.052006405F}},
+        {0.23692689F,
+         {1.8123597F, -1.5958591F, 1.4960967F, -1.279586F, 0.77604274F, -0.22010631F},
+         {1.0F, -1.6418989F, 1.5227539F, -1.2967378F, 0.78494947F, -0.22244184F}}};
+};
+
+// Two components in a plane.
+template<class S>
+struct vec2 {
+    S x, y;
+
+    GONIO_FORCE_INLINE friend vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
+    GONIO_FORCE_INLINE friend vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
+    GONIO_FORCE_INLINE friend vec2 operator*(vec2 a, S s) { return {a.x * s, a.y * s}; }
+};
+template<class S>
+GONIO_FORCE_INLINE S dot(vec2<S> a, vec2<S> b) {
+    return simd::mul_add(a.x, b.x, a.y * b.y);
+}
+// Positive if b is counter-clockwise of a.
+template<class S>
+GONIO_FORCE_INLINE S cross(vec2<S> a, vec2<S> b) {
+    return a.x * b.y - a.y * b.x;
+}
+template<class S>
+GONIO_FORCE_INLINE vec2<S> select(simd::mask_of<S> condition, vec2<S> if_true, vec2<S> if_false) {
+    return {simd::select(condition, if_true.x, if_false.x), simd::select(condition, if_true.y, if_false.y)};
+}
+template<class S>
+GONIO_FORCE_INLINE vec2<S> normalized(vec2<S> a) {
+    return a * (S(1) / simd::sqrt(simd::max(dot(a, a), S(1e-36))));
+}
+
+template<class S>
+GONIO_FORCE_INLINE S polynomial_of(const float (&coefficients)[6], S x) {
+    S sum = S(coefficients[5]);
+    for (int i = 4; i >= 0; --i)
+        sum = simd::mul_add(sum, x, S(coefficients[i]));
+    return sum;
+}
+
+// The directions between two in a plane, at most half a turn apart.
+template<class S>
+struct Fan {
+    vec2<S> middle, beside; // unit, perpendicular
+    S half;                 // half the angle
+    S t, t2;                // of a quarter, its tangent and its square
+
+    // `from` and `to` are unit.
+    GONIO_FORCE_INLINE Fan(vec2<S> from, vec2<S> to) {
+        const vec2<S> sum = from + to;
+        const S sum2 = dot(sum, sum);
+        // Opposite directions leave their sum to rounding.
+        const auto opposite = sum2 < S(1e-6);
+        const S length = simd::sqrt(simd::select(opposite, S(1), sum2));
+        middle = select(opposite, vec2<S>{-from.y, from.x}, sum * (S(1) / length));
+        beside = {-middle.y, middle.x};
+        const S across = S(0.5) * cross(middle, to - from); // the sine of half
+        t = across / (S(1) + simd::select(opposite, S(0), S(0.5) * length));
+        t2 = t * t;
+        constexpr float twice_atan[6] = {2.0F, -0.6666094F, 0.39708839F, -0.26035562F, 0.13668811F, -0.036046437F};
+        half = t * polynomial_of(twice_atan, t2);
+    }
+    // work(direction, its share of the whole angle) for both points of a pair.
+    template<class Work>
+    GONIO_FORCE_INLINE void for_both(const AnglePair& pair, const Work& work) const {
+        const S sine = t * polynomial_of(pair.sine, t2);
+        const S cosine = polynomial_of(pair.cosine, t2);
+        work(middle * cosine - beside * sine, half * S(pair.weight));
+        work(middle * cosine + beside * sine, half * S(pair.weight));
+    }
+};
+
+// The part of a row inside a region: τ from `from` to `to`, nothing where `to` is not greater.
+template<class S>
+struct RowPart {
+    S from, to;
+
+    static constexpr double far = 1e12;
+
+    GONIO_FORCE_INLINE static RowPart all() { return {S(-far), S(far)}; }
+    // The part on the positive side of a plane, given its normal's components along B and A.
+    GONIO_FORCE_INLINE void keep(S along_b, S along_a) {
+        const S inverse = S(-1) / simd::select(along_a == S(0), S(1), along_a); // the same for all rows
+        const S crossing = along_b * inverse;
+        from = simd::select(along_a > S(0), simd::max(from, crossing), from);
+        to = simd::select(along_a < S(0), simd::min(to, crossing), to);
+    }
+};
+
+// The nearer of two planes to z', by their unit normals.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> nearer_plane(vec3<S> a, vec3<S> b) {
+    return select(b.z < a.z, b, a);
+}
+
+// The circle's plane that touches the cone where it is nearest to z', or nearly there, unit; `rim` is u' × v', `by_cos`
+// c' × v' and `by_sin` u' × c' of the cone c' + u' cos t + v' sin t, with rim·c' > 0.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> touching_plane(vec3<S> rim, vec3<S> by_cos, vec3<S> by_sin) {
+    const S h = simd::sqrt(simd::mul_add(by_cos.z, by_cos.z, by_sin.z * by_sin.z));
+    const auto tilted = h > S(1e-18);
+    const S inverse = S(1) / simd::select(tilted, h, S(1));
+    const S cosine = simd::select(tilted, by_cos.z * inverse, S(1));
+    return normalized(rim - by_cos * cosine - by_sin * (by_sin.z * inverse));
+}
+
+// Regions: convex cones of directions above the receiver's horizon. Each has
+//     nearest                    the unit normal, inwards, of a plane that touches it near z'
+//     for_each_extreme(A, work)  work(p', whether p is in the region, or on its outline) for points that include those
+//                                of the greatest and least ω about A; work also gets all ω where A is in the region
+//     row(B, A)                  the part of a row
+//     rows                       the rule over ω
+
+// A rectangle. The patch's centre, u and v are in the receiver's frame.
+template<class S>
+struct RectangleRegion {
+    static constexpr const auto& rows = LobeRule<S>::four;
+
+    vec3<S> corner[4];
+    S up[4]; // their heights above the horizon
+    vec3<S> edge[4];
+    vec3<S> horizon;
+    vec3<S> nearest;
+
+    GONIO_FORCE_INLINE RectangleRegion(const LtcLobe<S>& lobe, const RectanglePoints<S>& points)
+        : horizon(lobe.horizon()) {
+        const vec3<S>& c = points.patch.center;
+        const vec3<S>& u = points.patch.u;
+        const vec3<S>& v = points.patch.v;
+        const vec3<S> c1 = lobe(c);
+        const vec3<S> u1 = lobe(u);
+        const vec3<S> v1 = lobe(v);
+        corner[0] = c1 - u1 - v1;
+        corner[1] = c1 + u1 - v1;
+        corner[2] = c1 + u1 + v1;
+        corner[3] = c1 - u1 + v1;
+        up[0] = c.z - u.z - v.z;
+        up[1] = c.z + u.z - v.z;
+        up[2] = c.z + u.z + v.z;
+        up[3] = c.z - u.z + v.z;
+        const S sign = simd::copysign(S(1), dot(c, cross(u, v)));
+        edge[0] = normalized(cross(corner[0], u1) * sign);
+        edge[1] = normalized(cross(corner[1], v1) * sign);
+        edge[2] = normalized(cross(u1, corner[2]) * sign);
+        edge[3] = normalized(cross(v1, corner[3]) * sign);
+        nearest = nearer_plane(nearer_plane(edge[0], edge[1]), nearer_plane(edge[2], edge[3]));
+        const auto cut = simd::min(simd::min(up[0], up[1]), simd::min(up[2], up[3])) < S(0);
+        nearest = select(cut, nearer_plane(nearest, horizon), nearest);
+    }
+
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each_extreme(vec3<S> /*axis*/, const Work& work) const {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t next = (i + 1) % 4;
+            const auto above = up[i] >= S(0);
+            work(corner[i], above);
+            const auto crosses = simd::either(simd::both(above, up[next] < S(0)), simd::both(!above, up[next] >= S(0)));
+            const S t = up[i] / simd::select(crosses, up[i] - up[next], S(1));
+            work(corner[i] + (corner[next] - corner[i]) * t, crosses);
+        }
+    }
+    GONIO_FORCE_INLINE RowPart<S> row(vec3<S> base, vec3<S> axis) const {
+        RowPart<S> part = RowPart<S>::all();
+        for (const vec3<S>& normal : edge)
+            part.keep(dot(normal, base), dot(normal, axis));
+        part.keep(dot(horizon, base), dot(horizon, axis));
+        return part;
+    }
+};
+
+// The cone of a circle c + u cos t + v sin t, before it is cut by the horizon.
+template<class S>
+struct CircleCone {
+    vec3<S> c1, u1, v1;      // transformed
+    vec3<S> rim, by_u, by_v; // p' = (rim·p' c' + by_u·p' u' + by_v·p' v')/(rim·c'), rim·c' > 0
+    CircleCut<S> horizon;
+
+    GONIO_FORCE_INLINE CircleCone(const LtcLobe<S>& lobe, vec3<S> c, vec3<S> u, vec3<S> v)
+        : c1(lobe(c)), u1(lobe(u)), v1(lobe(v)), horizon(c.z, u.z, v.z) {
+        const S sign = simd::copysign(S(1), dot(c, cross(u, v)));
+        rim = cross(u1, v1) * sign;
+        by_u = cross(v1, c1) * sign;
+        by_v = cross(c1, u1) * sign;
+    }
+    GONIO_FORCE_INLINE vec3<S> touching() const { return touching_plane(rim, by_u * S(-1), by_v * S(-1)); }
+
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each_extreme(vec3<S> axis, const Work& work) const {
+        const S a0 = dot(axis, rim);
+        const S a1 = dot(axis, by_u);
+        const S a2 = dot(axis, by_v);
+        const S h2 = simd::mul_add(a1, a1, a2 * a2);
+        const S outside = h2 - a0 * a0; // of the axis
+        const auto touched = outside > S(0);
+        const S inverse = S(1) / simd::max(h2, S(1e-36));
+        const S root = simd::sqrt(simd::max(outside, S(0)));
+        const auto at = [&](S cosine, S sine) { return c1 + u1 * cosine + v1 * sine; };
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const S cosine = simd::mul_add(a1, a0, S(-sign) * a2 * root) * inverse;
+            const S sine = simd::mul_add(a2, a0, S(sign) * a1 * root) * inverse;
+            const S beside = cosine * horizon.cos_middle + sine * horizon.sin_middle;
+            const auto above = simd::both(!horizon.below, simd::either(!horizon.cut, beside >= horizon.cos_reach));
+            work(at(cosine, sine), simd::both(touched, above));
+        }
+        work(at(horizon.cos_sink(), horizon.sin_sink()), horizon.cut);
+        work(at(horizon.cos_rise(), horizon.sin_rise()), horizon.cut);
+        work.all(simd::both(!touched, !horizon.below));
+    }
+    // The row's part without the horizon; at infinity, with no length, where the row would meet the cone beyond ±A.
+    // `plane` is B × A.
+    GONIO_FORCE_INLINE RowPart<S> row(vec3<S> base, vec3<S> axis, vec3<S> plane) const {
+        const S a0 = dot(axis, rim);
+        const S a1 = dot(axis, by_u);
+        const S a2 = dot(axis, by_v);
+        const S b0 = dot(base, rim);
+        const S b1 = dot(base, by_u);
+        const S b2 = dot(base, by_v);
+        // a τ² + 2 b τ + … ≤ 0 inside; the discriminant by the distance of the row's plane from c'.
+        const S a = simd::mul_add(a1, a1, a2 * a2) - a0 * a0;
+        const S b = simd::mul_add(a1, b1, a2 * b2) - a0 * b0;
+        const S from_u = dot(plane, u1);
+        const S from_v = dot(plane, v1);
+        const S from_c = dot(plane, c1);
+        const S across = simd::mul_add(from_u, from_u, from_v * from_v) - from_c * from_c;
+        const S root = simd::abs(dot(rim, c1)) * simd::sqrt(simd::max(across, S(0)));
+        const auto crossed = across > S(0);
+        const auto outside = a > S(0); // the axis, of the cone
+        const S c = simd::mul_add(b1, b1, b2 * b2) - b0 * b0;
+        const S q = -(b + simd::copysign(root, b));                    // neither root cancels
+        const S inverse = S(1) / simd::select(a == S(0), S(1e-30), a); // the same for all rows
+        const S one = q * inverse;
+        const S other = c / simd::select(q == S(0), S(1e-30), q);
+        const S low = simd::min(one, other);
+        const S high = simd::max(one, other);
+        // Where the axis is in the cone, or in its mirror image, one of both is in the image.
+        const auto ahead = a0 > S(0);
+        RowPart<S> part{simd::select(outside, low, simd::select(ahead, high, S(-RowPart<S>::far))),
+                        simd::select(outside, high, simd::select(ahead, S(RowPart<S>::far), low))};
+        const auto near_side = simd::either(!outside, simd::mul_add(a0, S(0.5) * (low + high), b0) > S(0));
+        // A cone behind the axis, or behind −A.
+        const S behind = simd::copysign(S(RowPart<S>::far), dot(axis, c1));
+        part.from = simd::select(near_side, part.from, behind);
+        part.to = simd::select(near_side, part.to, behind);
+        part.from = simd::select(crossed, part.from, S(RowPart<S>::far));
+        part.to = simd::select(crossed, part.to, S(-RowPart<S>::far));
+        return part;
+    }
+};
+
+// A sphere, a disk or the sun; `inside`: the whole hemisphere.
+template<class S>
+struct CircleRegion {
+    static constexpr const auto& rows = LobeRule<S>::four;
+
+    CircleCone<S> cone;
+    vec3<S> horizon;
+    vec3<S> nearest;
+
+    GONIO_FORCE_INLINE CircleRegion(const LtcLobe<S>& lobe, const DiskPoints<S>& points)
+        : cone(lobe, points.patch.center, points.patch.u, points.patch.v),
+          horizon(lobe.horizon()),
+          nearest(cone.touching()) {
+        nearest = select(cone.horizon.cut, nearer_plane(nearest, horizon), nearest);
+    }
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each_extreme(vec3<S> axis, const Work& work) const {
+        cone.for_each_extreme(axis, work);
+    }
+    GONIO_FORCE_INLINE RowPart<S> row(vec3<S> base, vec3<S> axis) const {
+        RowPart<S> part = cone.row(base, axis, cross(base, axis));
+        part.keep(dot(horizon, base), dot(horizon, axis));
+        return part;
+    }
+};
+
+// A tube in the receiver's frame, all lengths scaled by the same factor: its centre is toward·across + axis·along.
+template<class S>
+struct TubeSeen {
+    vec3<S> axis, toward; // unit, perpendicular
+    S across, along;
+    S radius, half;
+
+    template<class Frame>
+    GONIO_FORCE_INLINE TubeSeen(const TubeLight<S>& light, const Frame& frame, vec3<S> to_center) {
+        const S scale = points_scale(light, to_center);
+        const vec3<S> c = frame(to_center) * scale;
+        axis = frame(light.axis);
+        along = dot(axis, c);
+        const vec3<S> away = perpendicular(c, axis);
+        across = length(away);
+        toward = away * reciprocal_or_zero(across);
+        radius = simd::abs(light.radius) * scale;
+        half = S(0.5) * (simd::abs(light.length) * scale);
+    }
+    GONIO_FORCE_INLINE vec3<S> center() const { return toward * across + axis * along; }
+};
+
+// A tube: the convex hull of its ends' cones.
+template<class S>
+struct TubeRegion {
+    static constexpr const auto& rows = LobeRule<S>::six;
+
+    CircleCone<S> end[2];
+    vec3<S> touch[2][2]; // where the side's two tangent planes touch the ends
+    S up[2][2];
+    vec3<S> side[2]; // the planes' normals, inwards
+    vec3<S> horizon;
+    vec3<S> nearest;
+    simd::mask_of<S> beyond; // in the infinite cylinder: only one end is seen
+
+    GONIO_FORCE_INLINE TubeRegion(const LtcLobe<S>& lobe, const TubeSeen<S>& tube)
+        : end{end_of(lobe, tube, -1.0), end_of(lobe, tube, 1.0)}, horizon(lobe.horizon()) {
+        const vec3<S> axis1 = lobe(tube.axis);
+        beyond = tube.across <= tube.radius;
+        const S gap2 = simd::max((tube.across - tube.radius) * (tube.across + tube.radius), S(0));
+        const S inverse = reciprocal_or_zero(tube.across);
+        const S base = gap2 * inverse;
+        const S aside = tube.radius * simd::sqrt(gap2) * inverse;
+        const vec3<S> toward1 = lobe(tube.toward);
+        const vec3<S> beside = cross(tube.axis, tube.toward);
+        const vec3<S> beside1 = lobe(beside);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const S sign = S(k == 0 ? 1 : -1);
+            for (std::size_t i = 0; i < 2; ++i) {
+                const S along = simd::mul_add(S(i == 0 ? -1 : 1), tube.half, tube.along);
+                touch[k][i] = toward1 * base + beside1 * (sign * aside) + axis1 * along;
+                up[k][i] =
+                    simd::mul_add(tube.toward.z, base, simd::mul_add(beside.z, sign * aside, tube.axis.z * along));
+            }
+            side[k] = normalized(cross(axis1, toward1 * base + beside1 * (sign * aside)) * -sign);
+        }
+        const auto cut = simd::either(simd::either(end[0].horizon.cut, end[0].horizon.below),
+                                      simd::either(end[1].horizon.cut, end[1].horizon.below));
+        nearest = nearer_plane(side[0], side[1]);
+        if (simd::any(beyond))
+            nearest = select(beyond, select(tube.along > S(0), end[0].touching(), end[1].touching()), nearest);
+        nearest = select(cut, nearer_plane(nearest, horizon), nearest);
+    }
+    GONIO_FORCE_INLINE static CircleCone<S> end_of(const LtcLobe<S>& lobe, const TubeSeen<S>& tube, double sign) {
+        const S along = simd::mul_add(S(sign), tube.half, tube.along);
+        const vec3<S> to_end = tube.toward * tube.across + tube.axis * along;
+        const S distance = length(to_end);
+        const S inverse = reciprocal_or_zero(distance);
+        const S sine = simd::min(tube.radius * inverse, S(1));
+        const S cosine = simd::max(simd::sqrt((S(1) - sine) * (S(1) + sine)), S(1e-4));
+        const vec3<S> l = select(distance > S(0), to_end * inverse, vec3<S>{S(0), S(0), S(1)});
+        const TangentFrame<S> frame(l);
+        return {lobe, l * cosine, frame.x * sine, frame.y * sine};
+    }
+
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each_extreme(vec3<S> axis, const Work& work) const {
+        end[0].for_each_extreme(axis, work);
+        end[1].for_each_extreme(axis, work);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto crosses = simd::both(!beyond, simd::either(simd::both(up[k][0] >= S(0), up[k][1] < S(0)),
+                                                                  simd::both(up[k][0] < S(0), up[k][1] >= S(0))));
+            const S t = up[k][0] / simd::select(crosses, up[k][0] - up[k][1], S(1));
+            work(touch[k][0] + (touch[k][1] - touch[k][0]) * t, crosses);
+        }
+    }
+    GONIO_FORCE_INLINE RowPart<S> row(vec3<S> base, vec3<S> axis) const {
+        const vec3<S> plane = cross(base, axis);
+        const RowPart<S> first = end[0].row(base, axis, plane);
+        const RowPart<S> second = end[1].row(base, axis, plane);
+        RowPart<S> part{simd::min(first.from, second.from), simd::max(first.to, second.to)};
+        // Where the row crosses a side between the ends.
+        for (std::size_t k = 0; k < 2; ++k) {
+            const S before = dot(plane, touch[k][0]);
+            const S behind = dot(plane, touch[k][1]);
+            const auto between =
+                simd::either(simd::both(before >= S(0), behind < S(0)), simd::both(before < S(0), behind >= S(0)));
+            const auto valid = simd::both(between, !beyond);
+            const vec3<S> at = touch[k][0] * simd::abs(behind) + touch[k][1] * simd::abs(before);
+            const S along_a = dot(side[k], axis);
+            const S along_b = dot(at, base);
+            const S beside_b = dot(at, axis);
+            // A row along the side leaves it at ±A.
+            const S inwards = simd::select(along_b > S(0), along_a, -along_a);
+            const auto leaves =
+                simd::either(simd::both(simd::abs(along_a) < S(1e-5), beside_b > S(0)), inwards <= S(-1e-5));
+            const S crossing = simd::select(along_b > S(0), beside_b / simd::max(along_b, S(1e-30)),
+                                            simd::select(leaves, S(RowPart<S>::far), S(-RowPart<S>::far)));
+            part.from = simd::select(simd::both(valid, !leaves), simd::min(part.from, crossing), part.from);
+            part.to = simd::select(simd::both(valid, leaves), simd::max(part.to, crossing), part.to);
+        }
+        part.keep(dot(horizon, base), dot(horizon, axis));
+        return part;
+    }
+};
+
+// The region of a light whose points (light_points.hpp) are known.
+template<class S, class Frame>
+GONIO_FORCE_INLINE RectangleRegion<S> region_of(const LtcLobe<S>& lobe, const RectanglePoints<S>& points,
+                                                const RectangleLight<S>& /*light*/, const Frame& /*frame*/,
+                                                vec3<S> /*to_center*/) {
+    return {lobe, points};
+}
+template<class S, class Light, class Frame>
+GONIO_FORCE_INLINE CircleRegion<S> region_of(const LtcLobe<S>& lobe, const DiskPoints<S>& points,
+                                             const Light& /*light*/, const Frame& /*frame*/, vec3<S> /*to_center*/) {
+    return {lobe, points};
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE TubeRegion<S> region_of(const LtcLobe<S>& lobe, const TubePoints<S>& /*points*/,
+                                           const TubeLight<S>& light, const Frame& frame, vec3<S> to_center) {
+    return {lobe, TubeSeen<S>(light, frame, to_center)};
+}
+
+// Collects the first and last direction about an axis, by components along two unit vectors, the second of which is
+// never negative within a region; made positive, so that 0 and half a turn remain apart.
+template<class S>
+struct Extremes {
+    vec3<S> ahead, inward;
+    vec2<S>& first;
+    vec2<S>& last;
+
+    GONIO_FORCE_INLINE void operator()(vec3<S> p, simd::mask_of<S> valid) const {
+        const S x = dot(ahead, p);
+        const vec2<S> at{x, simd::max(dot(inward, p), S(1e-7) * simd::abs(x))};
+        first = select(simd::both(valid, cross(first, at) < S(0)), at, first);
+        last = select(simd::both(valid, cross(last, at) > S(0)), at, last);
+    }
+    GONIO_FORCE_INLINE void all(simd::mask_of<S> whole) const {
+        first = select(whole, vec2<S>{S(1), S(0)}, first);
+        last = select(whole, vec2<S>{S(-1), S(0)}, last);
+    }
+};
+
+// Sums over a region; f is the lobe itself.
+template<class S>
+struct LobeSums {
+    S value;     // ∫ f n·l dω with F = 1
+    S grazing;   // the same with F = (1 − l·h)⁵
+    S by_cosine; // ∫ of the transformed cosine, up to a factor
+};
+
+// The lobe's sums over a region of directions; `v` is the view in the receiver's frame, v.z > 0.
+template<class S, class Region, class Lobe>
+GONIO_FORCE_INLINE LobeSums<S> sums_over_rows(const Region& region, const LtcLobe<S>& cosine, const Lobe& lobe,
+                                              vec3<S> v) {
+    const vec3<S> e = region.nearest;
+    const S level = simd::sqrt(simd::mul_add(e.x, e.x, e.y * e.y));
+    const auto tilted = level > S(1e-12);
+    const S inverse_level = S(1) / simd::select(tilted, level, S(1));
+    const S ex = simd::select(tilted, e.x * inverse_level, S(1));
+    const S ey = simd::select(tilted, e.y * inverse_level, S(0));
+    const vec3<S> axis{-ey, ex, S(0)};
+    const vec3<S> ahead{-(e.z * ex), -(e.z * ey), level};
+
+    vec2<S> first{S(-1), S(1e-20)};
+    vec2<S> last{S(1), S(-1e-20)};
+    region.for_each_extreme(axis, Extremes<S>{ahead, e, first, last});
+    first = normalized(first);
+    last = normalized(last);
+    // The cosine ends where z' is 0. Beyond, as far as the light began before (from α² to 2α, as tangents), little is
+    // left of the lobe; all of a light that begins there is taken.
+    const vec2<S> horizon{-e.z, level};
+    const S before = cross(first, horizon);
+    const S cosine_before = dot(first, horizon);
+    const S ahead_by = simd::select(cosine_before > S(0), before / simd::max(cosine_before, S(1e-12)), S(1e12));
+    const S further = simd::min(simd::max(ahead_by, lobe.alpha * lobe.alpha), S(2) * lobe.alpha);
+    const vec2<S> limit = normalized(horizon + vec2<S>{-horizon.y, horizon.x} * further);
+    last = select(simd::both(before > S(0), cross(limit, last) > S(0)), limit, last);
+    const auto empty = simd::both(cross(first, last) <= S(0), dot(first, last) > S(-0.5));
+
+    const S determinant = simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
+    const S inverse = S(1) / simd::max(determinant, S(1e-30));
+    const S inverse_m11 = S(1) / cosine.m11;
+    const auto back = [&](vec3<S> q) __attribute__((always_inline)) {
+        return vec3<S>{simd::mul_add(cosine.m22, q.x, -(cosine.m02 * q.z)) * inverse, q.y * inverse_m11,
+                       simd::mul_add(cosine.m00, q.z, -(cosine.m20 * q.x)) * inverse};
+    };
+    const vec3<S> toward_axis = back(axis);
+    const S inverse_alpha = S(1) / simd::max(lobe.alpha, S(1e-4));
+
+    LobeSums<S> sums{S(0), S(0), S(0)};
+    const auto add_row = [&](vec2<S> turned, S step) __attribute__((always_inline)) {
+        const vec3<S> base = ahead * turned.x + e * turned.y;
+        const RowPart<S> part = region.row(base, axis);
+
+        // The half vector's slopes over α at B, and their change with τ.
+        const vec3<S> toward_base = back(base);
+        const S inverse_base = S(1) / simd::sqrt(simd::max(dot(toward_base, toward_base), S(1e-36)));
+        const vec3<S> l = toward_base * inverse_base;
+        const vec3<S> change = (toward_axis - l * dot(l, toward_axis)) * inverse_base;
+        const vec3<S> h = l + v;
+        const S inverse_z = S(1) / simd::max(h.z, S(1e-6));
+        const S scale = inverse_z * inverse_alpha;
+        const vec2<S> r{h.x * scale, h.y * scale};
+        const vec2<S> dr{simd::mul_add(-(h.x * inverse_z), change.z, change.x) * scale,
+                         simd::mul_add(-(h.y * inverse_z), change.z, change.y) * scale};
+        const S inverse_dr2 = S(1) / simd::max(dot(dr, dr), S(1e-30));
+        const S least = -dot(r, dr) * inverse_dr2;
+        const S aside = cross(r, dr);
+        const S width = simd::sqrt(simd::mul_add(aside * aside, inverse_dr2, S(1)) * inverse_dr2);
+
+        const S farthest = S(1e4) * width;
+        const auto clamped = [&](S tau) __attribute__((always_inline)) {
+            return simd::min(simd::max(tau - least, -farthest), farthest);
+        };
+        const S from = clamped(part.from);
+        const S to = clamped(part.to);
+        const Fan<S> along(normalized(vec2<S>{width, from}), normalized(vec2<S>{width, to}));
+        // The direction at τ = least + width·y/x, times x.
+        const vec3<S> by_x = mul_add(toward_axis, least, toward_base);
+        const vec3<S> by_y = toward_axis * width;
+        const S weight = simd::select(simd::both(from < to, !empty), step * width, S(0));
+        const auto add_point = [&](vec2<S> at, S angle) __attribute__((always_inline)) {
+            const vec3<S> p = mul_add(by_x, at.x, by_y * at.y);
+            const S inverse_p = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-36)));
+            const vec3<S> to_light = p * inverse_p;
+            const auto lit = above_surface(to_light.z);
+            const S n_dot_l = simd::select(lit, to_light.z, S(1));
+            const HalfVector<S> half = half_vector(to_light, v);
+            const S solid_angle = angle * at.x * inverse_p * inverse_p * inverse_p * weight; // times a constant
+            const S value = simd::select(lit, lobe.value(n_dot_l, v.z, half) * n_dot_l * solid_angle, S(0));
+            sums.value = sums.value + value;
+            sums.grazing = simd::mul_add(value, schlick_weight(half.l_dot_h), sums.grazing);
+            const vec3<S> transformed = cosine(to_light);
+            const S inverse2 = S(1) / simd::max(dot(transformed, transformed), S(1e-36));
+            sums.by_cosine = simd::mul_add(transformed.z * inverse2 * inverse2, solid_angle, sums.by_cosine);
+        };
+        add_point(along.middle, along.half * S(LobeRule<S>::middle));
+        for (const AnglePair& pair : LobeRule<S>::five)
+            along.for_both(pair, add_point);
+    };
+    const Fan<S> turn(first, last);
+    for (const AnglePair& pair : Region::rows)
+        turn.for_both(pair, add_row);
+    const S constant = inverse * inverse_m11;
+    return {sums.value * constant, sums.grazing * constant, sums.by_cosine * constant};
+}
+
+} // namespace gonio::shading::detail

@@ -1,0 +1,224 @@
+// Rows of points that a lobe places: their places, and their sums against quadrature, float and the parts of a light.
+#include <gonio/measure/error_statistics.hpp>
+#include <gonio/measure/specular_methods.hpp>
+#include <gonio/shading/packet.hpp>
+#include <gonio/shading/specular_by_rows.hpp>
+
+#include "../scaled.hpp"
+#include "poses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace gonio::shading;
+using gonio::shading::detail::AnglePair;
+using gonio::shading::detail::Fan;
+using gonio::shading::detail::LobeRule;
+using poses::Random;
+using poses::Vec;
+using Kind = LightConstants::Kind;
+namespace measure = gonio::measure;
+
+constexpr double pi = std::numbers::pi;
+
+// Both points of a pair lie at ±at of half the angle, within the polynomials' 3e-4, and directions are as near to unit.
+TEST(LobeRows, AFanDividesAnglesByTheRule) {
+    struct Pair {
+        const AnglePair& pair;
+        double at;
+    };
+    const Pair pairs[] = {
+        {LobeRule<double>::four[0], 0.33998104358485626}, {LobeRule<double>::four[1], 0.86113631159405258},
+        {LobeRule<double>::six[0], 0.23861918608319691},  {LobeRule<double>::six[1], 0.66120938646626451},
+        {LobeRule<double>::six[2], 0.93246951420315203},  {LobeRule<double>::five[0], 0.53846931010568309},
+        {LobeRule<double>::five[1], 0.90617984593866399}};
+    for (double whole = 1e-6; whole <= pi; whole = whole < 0.01 ? 10.0 * whole : whole + 0.01)
+        for (const double from : {-3.0, 0.0, 1.2}) {
+            const auto unit = [](double angle) { return detail::vec2<double>{std::cos(angle), std::sin(angle)}; };
+            const Fan<double> fan(unit(from), unit(from + whole));
+            EXPECT_NEAR(fan.half, 0.5 * whole, 4e-5 * whole) << whole;
+            for (const Pair& each : pairs) {
+                int side = 0;
+                double weights = 0.0;
+                fan.for_both(each.pair, [&](detail::vec2<double> at, double weight) {
+                    const double expected = from + 0.5 * whole * (1.0 + (side++ == 0 ? -each.at : each.at));
+                    const detail::vec2<double> off = at - unit(expected);
+                    EXPECT_LT(std::sqrt(dot(off, off)), 4e-4 * whole / pi) << whole << ' ' << each.at;
+                    weights += weight;
+                });
+                EXPECT_NEAR(weights, whole * static_cast<double>(each.pair.weight), 1e-4 * whole);
+            }
+        }
+    // The weights of a whole rule add to 2.
+    double four = 0.0;
+    double six = 0.0;
+    double five = static_cast<double>(LobeRule<double>::middle);
+    for (const AnglePair& pair : LobeRule<double>::four)
+        four += 2.0 * static_cast<double>(pair.weight);
+    for (const AnglePair& pair : LobeRule<double>::six)
+        six += 2.0 * static_cast<double>(pair.weight);
+    for (const AnglePair& pair : LobeRule<double>::five)
+        five += 2.0 * static_cast<double>(pair.weight);
+    EXPECT_NEAR(four, 2.0, 1e-7);
+    EXPECT_NEAR(six, 2.0, 1e-7);
+    EXPECT_NEAR(five, 2.0, 1e-7);
+}
+
+struct Errors {
+    double median, p95;
+};
+
+// Of the double form against quadrature, and of the float form against the double one.
+void compare(Kind kind, std::uint64_t seed, Errors& off_truth, Errors& off_double) {
+    const auto cases = measure::specular_cases(kind, gonio::test::scaled(std::size_t{500}), seed);
+    const auto truth = measure::specular_truth(cases);
+    std::vector<double> relative;
+    std::vector<double> rounding;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto at = [i](const auto& v) { return vec3<float>{v[0][i], v[1][i], v[2][i]}; };
+        const std::size_t group = i / measure::SpecularCases::group_size;
+        const vec3<float> center = at(cases.area.position) * -1.0F;
+        const vec3<float> n = at(cases.area.normal);
+        const vec3<float> v = at(cases.view);
+        const float alpha = cases.alpha[group];
+        double in_double = 0.0;
+        double in_float = 0.0;
+        detail::with_light<double>(cases.area.lights[group], [&](const auto& light) {
+            in_double =
+                specular_by_rows(light, widen(center), widen(n), widen(v), GgxLobe<double>{static_cast<double>(alpha)})
+                    .scale;
+        });
+        detail::with_light<float>(cases.area.lights[group], [&](const auto& light) {
+            in_float = static_cast<double>(specular_by_rows(light, center, n, v, GgxLobe<float>{alpha}).scale);
+        });
+        EXPECT_TRUE(in_float >= 0.0 && in_float <= 1.0 && in_double >= 0.0 && in_double <= 1.0) << i;
+        if (truth[i] > 1e-3) relative.push_back(std::fabs(in_double / truth[i] - 1.0));
+        if (in_double > 1e-3) rounding.push_back(std::fabs(in_float / in_double - 1.0));
+    }
+    const auto summary = [](std::vector<double>& all) {
+        std::sort(all.begin(), all.end());
+        return Errors{all[all.size() / 2], all[all.size() * 95 / 100]};
+    };
+    off_truth = summary(relative);
+    off_double = summary(rounding);
+}
+
+// Where the luminance is above 1e-3 of the light's. Measured with 2000 poses: median 0.0012 to 0.0040, 95 % below 0.045
+// to 0.073, ellipses 0.086. The bars leave room for the luck of fewer poses.
+TEST(LobeRows, NineteenOfTwentyPosesAreWithinTenPercent) {
+    struct Bar {
+        Kind kind;
+        double median, p95;
+    };
+    for (const Bar& bar :
+         {Bar{Kind::sphere, 0.005, 0.10}, Bar{Kind::disk, 0.006, 0.10}, Bar{Kind::rectangle, 0.008, 0.10},
+          Bar{Kind::tube, 0.004, 0.10}, Bar{Kind::ellipse, 0.006, 0.13}}) {
+        Errors truth{};
+        Errors rounding{};
+        compare(bar.kind, 7, truth, rounding);
+        if (!gonio::test::is_sanitized) {
+            EXPECT_LT(truth.median, bar.median) << static_cast<int>(bar.kind);
+            EXPECT_LT(truth.p95, bar.p95) << static_cast<int>(bar.kind);
+            EXPECT_LT(rounding.p95, 5e-4) << static_cast<int>(bar.kind);
+        }
+        EXPECT_LT(rounding.median, 2e-5) << static_cast<int>(bar.kind);
+        RecordProperty(std::to_string(static_cast<int>(bar.kind)),
+                       std::to_string(truth.median) + " " + std::to_string(truth.p95) + " " +
+                           std::to_string(rounding.median) + " " + std::to_string(rounding.p95));
+    }
+}
+
+// A rectangle is the sum of its halves as far as the sums are exact: its rows are placed otherwise than theirs.
+TEST(LobeRows, HalvesOfARectangleAddToTheWhole) {
+    Random random(31);
+    std::vector<double> off;
+    for (int i = 0; i < gonio::test::scaled(4000); ++i) {
+        const GgxLobe<double> lobe{std::exp(random.uniform(std::log(0.03), 0.0))};
+        const Vec n{0.0, 0.0, 1.0};
+        const Vec v = poses::tilted(n, random.uniform(0.1, 1.0), random);
+        const Vec l = poses::tilted(n, random.uniform(0.0, 1.0), random);
+        const Vec facing = poses::tilted(l * -1.0, random.uniform(0.3, 1.0), random);
+        const Vec across = poses::unit(cross(facing, poses::random_direction(random)));
+        const double width = std::exp(random.uniform(std::log(0.1), std::log(4.0)));
+        const auto value = [&](double w, double shift) {
+            return specular_by_rows(RectangleLight<double>{l, {}, facing, across, w, 0.7 * width, 0.0, false},
+                                    l + across * shift, n, v, lobe)
+                .scale;
+        };
+        const double whole = value(width, 0.0);
+        if (whole < 1e-3) continue;
+        off.push_back(std::fabs((value(0.5 * width, 0.25 * width) + value(0.5 * width, -0.25 * width)) / whole - 1.0));
+    }
+    std::sort(off.begin(), off.end());
+    EXPECT_LT(off[off.size() / 2], 0.002);
+    EXPECT_LT(off[off.size() * 95 / 100], 0.05);
+    RecordProperty("median", std::to_string(off[off.size() / 2]));
+    RecordProperty("p95", std::to_string(off[off.size() * 95 / 100]));
+}
+
+// Turning the scene about the normal, or scaling it, changes nothing but rounding.
+TEST(LobeRows, TurnedAndScaledScenesAreTheSame) {
+    Random random(32);
+    for (int i = 0; i < gonio::test::scaled(2000); ++i) {
+        const GgxLobe<double> lobe{std::exp(random.uniform(std::log(0.01), 0.0))};
+        const Vec n{0.0, 0.0, 1.0};
+        const Vec v = poses::tilted(n, random.uniform(0.05, 1.0), random);
+        const Vec l = poses::random_direction(random) * 2.0;
+        const Vec axis = poses::random_direction(random);
+        const double turn = random.uniform(0.0, 2.0 * pi);
+        const auto turned = [&](Vec p) {
+            return Vec{std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y, p.z};
+        };
+        const auto values = [&](auto same, double scale) {
+            const Vec c = same(l) * scale;
+            return std::vector<double>{
+                specular_by_rows(SphereLight<double>{c, {}, scale, 0.0}, c, n, same(v), lobe).scale,
+                specular_by_rows(DiskLight<double>{c, {}, same(axis), scale, 0.0, true}, c, n, same(v), lobe).scale,
+                specular_by_rows(TubeLight<double>{c, {}, same(axis), 0.3 * scale, 3.0 * scale, 0.0}, c, n, same(v),
+                                 lobe)
+                    .scale};
+        };
+        const auto plain = values([](Vec p) { return p; }, 1.0);
+        const auto other = values(turned, 64.0);
+        for (std::size_t k = 0; k < plain.size(); ++k)
+            EXPECT_NEAR(other[k], plain[k], 1e-6 * plain[k] + 1e-9) << i << ' ' << k;
+    }
+}
+
+// In [0, 1] for any numbers, in float.
+TEST(LobeRows, FiniteForHostileNumbers) {
+    Random random(33);
+    for (int i = 0; i < gonio::test::scaled(60000); ++i) {
+        const auto h = [&] { return static_cast<float>(poses::hostile(random)); };
+        const auto direction = [&] {
+            const Vec d = poses::random_direction(random);
+            return vec3<float>{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
+        };
+        const vec3<float> n = direction();
+        const vec3<float> v = i % 5 == 0 ? n : direction();
+        const vec3<float> c{h(), h(), h()};
+        const vec3<float> axis = direction();
+        const vec3<float> across = normalized(cross(axis, direction()));
+        const GgxLobe<float> lobe{std::clamp(std::fabs(h()), 1e-4F, 1.0F)};
+        const float p = h();
+        const float q = h();
+        const SpecularLuminance<float> found[] = {
+            specular_by_rows(SphereLight<float>{c, {}, p, 0.0F}, c, n, v, lobe),
+            specular_by_rows(DiskLight<float>{c, {}, axis, p, 0.0F, i % 2 == 0}, c, n, v, lobe),
+            specular_by_rows(RectangleLight<float>{c, {}, axis, across, p, q, 0.0F, i % 2 == 0}, c, n, v, lobe),
+            specular_by_rows(TubeLight<float>{c, {}, axis, p, q, 0.0F}, c, n, v, lobe)};
+        for (const SpecularLuminance<float>& each : found) {
+            ASSERT_TRUE(each.scale >= 0.0F && each.scale <= 1.0F) << i << ' ' << each.scale;
+            ASSERT_TRUE(each.grazing >= 0.0F && each.grazing <= 1.0F) << i << ' ' << each.grazing;
+        }
+    }
+}
+
+} // namespace
