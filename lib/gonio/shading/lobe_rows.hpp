@@ -535,10 +535,13 @@ GONIO_FORCE_INLINE LobeSums<S> sums_over_rows(const Region& region, const LtcLob
         const vec3<S> base = ahead * turned.x + e * turned.y;
         const RowPart<S> part = region.row(base, axis);
 
-        // The half vector's slopes over α at B, and their change with τ.
+        // The half vector's slopes over α at the part's point nearest to B, and their change with τ. Elsewhere on the
+        // row the light could be below the horizon.
+        const S nearest = simd::min(simd::max(part.from, S(0)), simd::max(part.to, part.from));
         const vec3<S> toward_base = back(base);
-        const S inverse_base = S(1) / simd::sqrt(simd::max(dot(toward_base, toward_base), S(1e-36)));
-        const vec3<S> l = toward_base * inverse_base;
+        const vec3<S> toward_nearest = mul_add(toward_axis, nearest, toward_base);
+        const S inverse_base = S(1) / simd::sqrt(simd::max(dot(toward_nearest, toward_nearest), S(1e-36)));
+        const vec3<S> l = toward_nearest * inverse_base;
         const vec3<S> change = (toward_axis - l * dot(l, toward_axis)) * inverse_base;
         const vec3<S> h = l + v;
         const S inverse_z = S(1) / simd::max(h.z, S(1e-6));
@@ -547,7 +550,7 @@ GONIO_FORCE_INLINE LobeSums<S> sums_over_rows(const Region& region, const LtcLob
         const vec2<S> dr{simd::mul_add(-(h.x * inverse_z), change.z, change.x) * scale,
                          simd::mul_add(-(h.y * inverse_z), change.z, change.y) * scale};
         const S inverse_dr2 = S(1) / simd::max(dot(dr, dr), S(1e-30));
-        const S least = -dot(r, dr) * inverse_dr2;
+        const S least = simd::mul_add(-dot(r, dr), inverse_dr2, nearest);
         const S aside = cross(r, dr);
         const S width = simd::sqrt(simd::mul_add(aside * aside, inverse_dr2, S(1)) * inverse_dr2);
 

@@ -43,6 +43,20 @@ GONIO_FORCE_INLINE simd::mask_of<S> surrounded(const TubeLight<S>& light, vec3<S
     return simd::difference_of_squares(nearest.x, nearest.y, nearest.z, light.radius * scale) < S(0);
 }
 
+// Whether the receiver is behind a flat light that emits to one side, or in its plane.
+template<class S, class Light, class Points>
+GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const Light& /*light*/, const Points& /*points*/) {
+    return S(0) > S(1);
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const DiskLight<S>& /*light*/, const DiskPoints<S>& points) {
+    return !(points.patch.strength > S(0));
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const RectangleLight<S>& /*light*/, const RectanglePoints<S>& points) {
+    return !(points.patch.strength > S(0));
+}
+
 // The height of a light's centre above the horizon.
 template<class S, class Points, class Light, class Frame>
 GONIO_FORCE_INLINE S center_height(const Points& points, const Light& /*light*/, const Frame& /*frame*/,
@@ -75,7 +89,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by_rows(const Light& light, vec
     constexpr double from2 = detail::rows_from * detail::rows_from;
     constexpr double from2_if_cut = detail::rows_from_if_cut * detail::rows_from_if_cut;
     const auto small = size2 < simd::select(simd::abs(height) < rise, S(from2_if_cut), S(from2)) * distance2;
-    const auto dark = simd::either(height < -rise, !seen);
+    const auto dark = simd::either(simd::either(height < -rise, detail::unlit_side<S>(light, points)), !seen);
     S value = S(0);
     S grazing = S(0);
     if (simd::any(simd::both(small, !dark))) {

@@ -192,6 +192,39 @@ TEST(LobeRows, TurnedAndScaledScenesAreTheSame) {
     }
 }
 
+// The dark side of a flat light, and lights below the horizon, give nothing.
+TEST(LobeRows, NothingComesFromBehind) {
+    Random random(34);
+    for (int i = 0; i < gonio::test::scaled(2000); ++i) {
+        const GgxLobe<double> lobe{random.uniform(0.05, 1.0)};
+        const Vec n{0.0, 0.0, 1.0};
+        const Vec v = poses::tilted(n, random.uniform(0.05, 1.0), random);
+        const Vec l = poses::tilted(n, random.uniform(0.0, 1.0), random);
+        const Vec away = poses::tilted(l, random.uniform(0.05, 1.0), random);
+        const Vec across = poses::unit(cross(away, poses::random_direction(random)));
+        const double size = std::exp(random.uniform(std::log(0.01), std::log(100.0)));
+        const auto disk = [&](bool two_sided) {
+            return specular_by_rows(DiskLight<double>{l, {}, away, size, 0.0, two_sided}, l, n, v, lobe).scale;
+        };
+        const auto rectangle = [&](bool two_sided) {
+            return specular_by_rows(RectangleLight<double>{l, {}, away, across, size, size, 0.0, two_sided}, l, n, v,
+                                    lobe)
+                .scale;
+        };
+        EXPECT_EQ(disk(false), 0.0) << i;
+        EXPECT_EQ(rectangle(false), 0.0) << i;
+        EXPECT_GT(disk(true), 0.0) << i;
+        EXPECT_GT(rectangle(true), 0.0) << i;
+        const Vec below = l * -1.0;
+        const double little = 0.5 * std::fabs(below.z);
+        EXPECT_EQ(specular_by_rows(SphereLight<double>{below, {}, little, 0.0}, below, n, v, lobe).scale, 0.0) << i;
+        EXPECT_EQ(
+            specular_by_rows(TubeLight<double>{below, {}, {1.0, 0.0, 0.0}, little, 1.0, 0.0}, below, n, v, lobe).scale,
+            0.0)
+            << i;
+    }
+}
+
 // In [0, 1] for any numbers, in float.
 TEST(LobeRows, FiniteForHostileNumbers) {
     Random random(33);
