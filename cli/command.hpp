@@ -10,8 +10,8 @@ namespace gonio::cli {
 class Arguments;
 class Console;
 
-// The page (page/), which shows no help and takes a part of the tool alone. A file that is compiled for it with
-// GONIO_PAGE_COMMANDS has nothing else in it.
+// The page (page/) shows no help and calls only a part of the tool. Files compiled with GONIO_PAGE_COMMANDS leave out
+// what it does not call.
 #ifdef GONIO_PAGE_COMMANDS
 constexpr bool is_for_page = true;
 #else

@@ -24,5 +24,5 @@ const tool = await createTool();
 writeFileSync(join(folder, 'area-light-data.mjs'), areaLightData((words) => {
   const result = tool.run(words, {});
   if (result.status !== 0) throw new Error(result.stderr);
-  return result;
+  return { stdout: new TextDecoder().decode(result.stdout), files: result.files };
 }));

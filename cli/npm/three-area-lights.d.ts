@@ -18,6 +18,9 @@ export const GonioAreaLights: {
   dispose(): void;
 };
 
+// Without this a declaration file exports all it declares.
+export {};
+
 /** What disks, spheres and tubes have in common. Sizes are in metres, and no scale of a matrix changes them. */
 declare abstract class AreaLight extends Light {
   readonly isRectAreaLight: true;

@@ -60,8 +60,9 @@ GonioAreaLight gonio_area_light( const in RectAreaLight light, const in vec3 pos
 
 	GonioAreaLight area;
 	float second = gonio_largest( light.halfHeight );
-	bool is_tube = gonio_largest( light.halfWidth ) < ${least_size};
-	area.shape = is_tube ? 3 : second > ${least_size} ? 0 : second > ${marks_between} ? 1 : 2;
+	float first = gonio_largest( light.halfWidth );
+	bool is_tube = first > 0.0 && first < ${least_size};
+	area.shape = is_tube ? 3 : second > ${least_size} ? 0 : second > ${marks_between} ? 1 : second > 0.0 ? 2 : 4; // 4: a rectangle without height
 	area.to_center = light.position - position;
 	area.width_direction = gonio_unit( light.halfWidth );
 	area.axis = gonio_unit( light.halfHeight );

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 namespace gonio::cli {
@@ -78,20 +79,44 @@ std::string nearest(const ShaderFormula& asked) {
     return list;
 }
 
-// With several kinds of results each takes those options that it has: irradiance has no material.
-ShaderFormula fitting(ShaderFormula asked) {
-    const auto holds = [](const auto& condition) {
-        for (std::size_t i = 0; i < shader_formula_count(); ++i)
-            if (condition(shader_formula(i).formula)) return true;
-        return false;
-    };
+bool any_formula(const auto& condition) {
+    for (std::size_t i = 0; i < shader_formula_count(); ++i)
+        if (condition(shader_formula(i).formula)) return true;
+    return false;
+}
+
+// With several kinds of results each takes those options that it has: irradiance has no material. Of the methods, a
+// kind takes those that it has for this light and material, and its usual one if it has none of them.
+std::optional<ShaderFormula> fitting(ShaderFormula asked, const Values& methods) {
     for (const Part& part : parts)
-        if (!holds([&](const ShaderFormula& formula) {
+        if (!any_formula([&](const ShaderFormula& formula) {
                 return formula.what == asked.what && !(formula.*part.member).empty();
             }))
             asked.*part.member = {};
-    if (!holds([&](const ShaderFormula& formula) { return answers(formula, asked); })) asked.method = {};
+    const auto is_answered = [&](std::string_view method) {
+        ShaderFormula with = asked;
+        with.method = method;
+        return any_formula([&](const ShaderFormula& formula) { return answers(formula, with); });
+    };
+    if (is_answered(asked.method)) return asked;
+    if (std::any_of(methods.begin(), methods.end(), is_answered)) return std::nullopt; // another serves this kind
+    asked.method = {};
     return asked;
+}
+
+// What is asked for and no printed function has.
+std::optional<Unexpected> ignored(const ShaderRequest& request, const std::array<Values, parts.size()>& chosen) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (const std::string_view value : chosen[i]) {
+            if (value.empty() || std::any_of(request.formulas.begin(), request.formulas.end(), [&](std::size_t place) {
+                    return shader_formula(place).formula.*parts[i].member == value;
+                }))
+                continue;
+            return fail("USE0107",
+                        fmt::format("none of the functions that --what asks for has {} {}", parts[i].option, value),
+                        "leave it out, or see gonio shader --help");
+        }
+    return std::nullopt;
 }
 
 Result<std::size_t> find_formula(const ShaderFormula& asked) {
@@ -167,12 +192,15 @@ Result<ShaderRequest> shader_request(const Arguments& arguments) {
                 for (const std::string_view material : chosen[2])
                     for (const std::string_view shadow_of : chosen[3]) {
                         const ShaderFormula asked{what, light, method, material, shadow_of};
-                        Result<std::size_t> place = find_formula(whats.size() > 1 ? fitting(asked) : asked);
+                        const std::optional<ShaderFormula> fits = whats.size() > 1 ? fitting(asked, chosen[1]) : asked;
+                        if (!fits) continue;
+                        Result<std::size_t> place = find_formula(*fits);
                         if (!place) return pass_on(place);
                         if (std::find(request.formulas.begin(), request.formulas.end(), *place) ==
                             request.formulas.end())
                             request.formulas.push_back(*place);
                     }
+    if (auto error = ignored(request, chosen)) return *error;
     return request;
 }
 

@@ -23,7 +23,7 @@
 namespace gonio::shading::detail {
 
 // A pair ±at of points of a Gauss–Legendre rule on [-1, 1], and the sine and the cosine of at·β by t = tan(β/2):
-// t·sine(t²) and cosine(t²) are within 2e-4 for β up to π/2.
+// t·sine(t²) and cosine(t²) are within 3e-4 for β up to π/2.
 struct AnglePair {
     float weight;
     float sine[6], cosine[6];

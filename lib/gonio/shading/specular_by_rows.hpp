@@ -3,9 +3,9 @@
 //
 // With F and C the sums of the lobe and of the cosine over the same points, and K the cosine's exact share,
 //
-//     F (1 + τ² (K/C − 1)),  τ = K C/((C − K)²/0.2² + K C)
+//     F (1 + w² (K/C − 1)),  w = K C/((C − K)²/0.2² + K C)
 //
-// If the points give the cosine's share nearly, they err in the lobe as in the cosine, so K/C mends both; τ is near 1
+// If the points give the cosine's share nearly, they err in the lobe as in the cosine, so K/C mends both; w is near 1
 // then. If they do not, F stays.
 #pragma once
 
@@ -16,8 +16,8 @@ namespace gonio::shading {
 
 namespace detail {
 
-// Sizes after the transform (a length over its distance) below which the light's own points are used, and which of them
-// are if the horizon cuts it.
+// Below these sizes (a length over its distance, after the transform) the light's own points are used; the second holds
+// where the horizon cuts the light.
 inline constexpr double rows_from = 0.15;
 inline constexpr double rows_from_if_cut = 1e-3;
 
