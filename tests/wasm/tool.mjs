@@ -164,9 +164,9 @@ const commands = [
     ['convert', name, '--to', 'ldt', '-o', 'out/x.ldt'], ['convert', name, '--to', 'tm33', '-o', 'out/x.xml', '--json']]),
   ['units', '800lm', '--shape', 'sphere:r=3cm', '--json'], ['units', '300lx@2m', '--explain'], ['units', '800l'],
   // Words of every kind: the module has a reader of options of its own.
-  ['units', '-5lm', '--to', 'cd'], ['units', '-.5lm'], ['list', '--json=true', 'skies'], ['list', '--json=1', 'skies'], ['list', '-q5', 'skies'],
-  ['list', '-qh', 'skies'], ['list', '--', '--json'], ['units', '800lm', '--to=cd', '--to', 'lx', '--json'], ['units', '800lm', '--to'], ['units', '800lm', '--tu', 'cd'],
-  ['units', '800lm', '--to', '--json'], ['preview', '--bounces'], ['list', '-', 'skies'], ['units', '800lm', '-jq'],
+  ['units', '-5lm', '--to', 'cd'], ['units', '-.5lm'], ['list', '--json=true', 'skies'], ['list', '--json=1', 'skies'], ['units', '-q5'],
+  ['units', '-qh'], ['units', '--', '--json'], ['units', '800lm', '--to=cd', '--to', 'lx', '--json'], ['units', '800lm', '--to'], ['units', '800lm', '--tu', 'cd'],
+  ['units', '800lm', '--to', '--json'], ['preview', '--bounces'], ['units', '-'], ['units', '800lm', '-jq'],
   ['cct', '3000K', '--json'], ['cct', 'xy(0.44,0.4)', '--json'], ['cct', '#ffd9a0'],
   ['explain', '--json'], ['explain', 'WEB0301'], ['help'], ['help', 'preview'], ['frobnicate'], ['info', 'none.ies'],
   ['info', 'broken.ies', '--json'], ['check', 'broken.ies'], ['convert', 'broken.ies', '-o', 'x.ldt'],
