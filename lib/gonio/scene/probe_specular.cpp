@@ -2,6 +2,7 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/detail/standard_methods.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/shading/coat_area.hpp>
 #include <gonio/shading/falloff.hpp>
@@ -22,13 +23,6 @@ namespace gonio::detail {
 namespace {
 
 using Vec = shading::vec3<double>;
-
-// With GONIO_STANDARD_METHODS, where nobody can ask for these methods, nothing is compiled for them: no number.
-#ifdef GONIO_STANDARD_METHODS
-constexpr bool is_left_out = true;
-#else
-constexpr bool is_left_out = false;
-#endif
 
 // Not inlined: they do not depend on the material, and are compiled once for each light instead of once for each pair.
 template<class CoreLight>
@@ -179,7 +173,7 @@ bool has_named_lobe(const Material& material) {
 
 NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                                const ProbeSurface& surface, IrradianceMethod method) {
-    if constexpr (is_left_out) {
+    if constexpr (!has_named_luminance) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         return {none, none};
     }

@@ -3,6 +3,7 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
+#include <gonio/scene/detail/standard_methods.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/scene/image_illuminance.hpp>
 #include <gonio/scene/probe_light.hpp>
@@ -34,13 +35,6 @@ using detail::PolarEdges;
 using detail::PolarPeak;
 using detail::Vec;
 using detail::vec;
-
-// With GONIO_STANDARD_METHODS, where nobody can ask for the luminance, nothing is compiled for it: no number.
-#ifdef GONIO_STANDARD_METHODS
-constexpr bool is_left_out = true;
-#else
-constexpr bool is_left_out = false;
-#endif
 
 // Lights of a smaller apparent size have no digits left of their own outline; they count as a direction.
 constexpr double least_reach = 1e-8; // [rad]
@@ -284,7 +278,7 @@ ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& posit
 
 ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                                        const glm::dvec3& view, const Material& material, const ReferenceGoal& goal) {
-    if constexpr (is_left_out) {
+    if constexpr (!detail::has_named_luminance) {
         constexpr ReferenceValue none{std::numeric_limits<double>::quiet_NaN(), 0.0, 0, false};
         return {none, none};
     }
