@@ -53,24 +53,23 @@ export function rendererOf(kind, shape) {
   return renderer;
 }
 
-function pixels(target, width, height) {
-  const out = new Float32Array(4 * width * height);
-  renderer.readRenderTargetPixels(target, 0, 0, width, height, out);
-  return out;
-}
-
-// Linear luminance of each pixel, the lowest row first; alpha is 0 where there is nothing.
-export function picture(kind, shape, roughness, metallic, base, width, height) {
-  const made = sceneOf(shape, kind, roughness, metallic, base);
+// The pixels in float, the lowest row first.
+function rendered({ scene, camera }, width, height) {
   const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType });
   renderer.setRenderTarget(target);
   renderer.setClearColor(0, 0);
   renderer.clear();
-  renderer.render(made.scene, made.camera);
-  const out = pixels(target, width, height);
+  renderer.render(scene, camera);
+  const out = new Float32Array(4 * width * height);
+  renderer.readRenderTargetPixels(target, 0, 0, width, height, out);
   renderer.setRenderTarget(null);
   target.dispose();
   return [...out];
+}
+
+// Linear luminance of each pixel, the lowest row first; alpha is 0 where there is nothing.
+export function picture(kind, shape, roughness, metallic, base, width, height) {
+  return rendered(sceneOf(shape, kind, roughness, metallic, base), width, height);
 }
 
 // What the shader of three.js knows of each pixel: position, normal and direction to the eye in the space of the view, and
@@ -82,15 +81,7 @@ export function surfaces(shape, roughness, width, height) {
       shader.fragmentShader = shader.fragmentShader.replace('#include <dithering_fragment>', `gl_FragColor = ${expression};`);
     };
     made.material.customProgramCacheKey = () => expression;
-    const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType });
-    renderer.setRenderTarget(target);
-    renderer.setClearColor(0, 0);
-    renderer.clear();
-    renderer.render(made.scene, made.camera);
-    const out = pixels(target, width, height);
-    renderer.setRenderTarget(null);
-    target.dispose();
-    return [...out];
+    return rendered(made, width, height);
   };
   const { light, camera } = sceneOf(shape, 'gonio', roughness, 0, 0.5);
   const toView = camera.matrixWorldInverse.copy(camera.matrixWorld).invert().multiply(light.matrixWorld);
@@ -156,15 +147,7 @@ export function checks() {
   const failures = [];
   const check = (holds, sentence) => { if (!holds) failures.push(sentence); };
   const [width, height] = [40, 30];
-  const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType });
-  const render = (scene, camera) => {
-    renderer.setRenderTarget(target);
-    renderer.setClearColor(0, 0);
-    renderer.clear();
-    renderer.render(scene, camera);
-    renderer.setRenderTarget(null);
-    return pixels(target, width, height);
-  };
+  const render = (scene, camera) => rendered({ scene, camera }, width, height);
   const apart = (a, b) => a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i]) / (Math.abs(b[i]) + 1)), 0);
   const alone = (light, material) => {
     const made = sceneOf('rect', 'own', 0.3, 0, 0.5);
@@ -249,6 +232,5 @@ export function checks() {
   check(/^gonio\/three-area-lights: three\.js r\w+ has no line '#if \( NUM_RECT_AREA_LIGHTS > 0 \) && defined\( RE_Direct_RectArea \)' in ShaderChunk\.lights_fragment_begin; r160 to r187 are supported$/.test(said(() => GonioAreaLights.init())), `a missing anchor: ${said(() => GonioAreaLights.init())}`);
   check(!GonioAreaLights.isReady, 'ready without an anchor');
   THREE.ShaderChunk.lights_fragment_begin = chunk;
-  target.dispose();
   return failures;
 }
