@@ -5,6 +5,7 @@
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/packet.hpp>
+#include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_by_rows.hpp>
 #include <gonio/shading/specular_in_double.hpp>
 #include <gonio/simd/dispatch.hpp>
@@ -73,20 +74,25 @@ void ltc_in_double(const SpecularCases& cases, std::span<double> luminance) {
     }
 }
 
+// Once for all lights that are seen as the same.
+template<class S, class Seen>
+[[gnu::noinline]] S by_rows_of(const Seen& light, vec3<S> to_center, vec3<S> normal, vec3<S> view, S alpha) {
+    return specular_by_rows(light, to_center, normal, view, shading::GgxLobe<S>{alpha}).scale;
+}
+
 // A candidate that no kernel has: one number at a time.
 template<class S>
 void by_rows(const SpecularCases& cases, std::span<S> luminance) {
     for (std::size_t g = 0; g < cases.area.lights.size(); ++g)
         shading::detail::with_light<S>(cases.area.lights[g], [&](const auto& light) {
-            const shading::GgxLobe<S> lobe{static_cast<S>(cases.alpha[g])};
             const std::size_t end = std::min((g + 1) * SpecularCases::group_size, cases.size());
             for (std::size_t i = g * SpecularCases::group_size; i < end; ++i) {
                 const auto of = [i](const std::array<std::vector<float>, 3>& v) {
                     return vec3<S>{static_cast<S>(v[0][i]), static_cast<S>(v[1][i]), static_cast<S>(v[2][i])};
                 };
-                luminance[i] = specular_by_rows(light, of(cases.area.position) * S(-1), of(cases.area.normal),
-                                                of(cases.view), lobe)
-                                   .scale;
+                const auto seen = shading::seen_from(light, of(cases.area.position) * S(-1));
+                luminance[i] = by_rows_of(seen.light, seen.to_center, of(cases.area.normal), of(cases.view),
+                                          static_cast<S>(cases.alpha[g]));
             }
         });
 }

@@ -17,6 +17,7 @@
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_share.hpp>
+#include <gonio/simd/math.hpp>
 
 #include <cstddef>
 
@@ -87,11 +88,8 @@ GONIO_FORCE_INLINE vec2<S> normalized(vec2<S> a) {
 }
 
 template<class S>
-GONIO_FORCE_INLINE S polynomial_of(const float (&coefficients)[6], S x) {
-    S sum = S(coefficients[5]);
-    for (int i = 4; i >= 0; --i)
-        sum = simd::mul_add(sum, x, S(coefficients[i]));
-    return sum;
+GONIO_FORCE_INLINE S polynomial(S x, const float (&c)[6]) {
+    return simd::detail::polynomial(x, c[0], c[1], c[2], c[3], c[4], c[5]);
 }
 
 // The directions between two in a plane, at most half a turn apart.
@@ -114,13 +112,13 @@ struct Fan {
         t = across / (S(1) + simd::select(opposite, S(0), S(0.5) * length));
         t2 = t * t;
         constexpr float twice_atan[6] = {2.0F, -0.6666094F, 0.39708839F, -0.26035562F, 0.13668811F, -0.036046437F};
-        half = t * polynomial_of(twice_atan, t2);
+        half = t * polynomial(t2, twice_atan);
     }
     // work(direction, its share of the whole angle) for both points of a pair.
     template<class Work>
     GONIO_FORCE_INLINE void for_both(const AnglePair& pair, const Work& work) const {
-        const S sine = t * polynomial_of(pair.sine, t2);
-        const S cosine = polynomial_of(pair.cosine, t2);
+        const S sine = t * polynomial(t2, pair.sine);
+        const S cosine = polynomial(t2, pair.cosine);
         work(middle * cosine - beside * sine, half * S(pair.weight));
         work(middle * cosine + beside * sine, half * S(pair.weight));
     }
