@@ -6,7 +6,7 @@
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/seen_from.hpp>
-#include <gonio/shading/specular_by_rows.hpp>
+#include <gonio/shading/specular_by_share.hpp>
 #include <gonio/shading/specular_in_double.hpp>
 #include <gonio/simd/dispatch.hpp>
 
@@ -76,13 +76,13 @@ void ltc_in_double(const SpecularCases& cases, std::span<double> luminance) {
 
 // Once for all lights that are seen as the same.
 template<class S, class Seen>
-[[gnu::noinline]] S by_rows_of(const Seen& light, vec3<S> to_center, vec3<S> normal, vec3<S> view, S alpha) {
-    return specular_by_rows(light, to_center, normal, view, shading::GgxLobe<S>{alpha}).scale;
+[[gnu::noinline]] S by_share_of(const Seen& light, vec3<S> to_center, vec3<S> normal, vec3<S> view, S alpha) {
+    return specular_by_share(light, to_center, normal, view, shading::GgxLobe<S>{alpha}).scale;
 }
 
-// A candidate that no kernel has: one number at a time.
+// The former default, which no kernel has: one number at a time.
 template<class S>
-void by_rows(const SpecularCases& cases, std::span<S> luminance) {
+void by_share(const SpecularCases& cases, std::span<S> luminance) {
     for (std::size_t g = 0; g < cases.area.lights.size(); ++g)
         shading::detail::with_light<S>(cases.area.lights[g], [&](const auto& light) {
             const std::size_t end = std::min((g + 1) * SpecularCases::group_size, cases.size());
@@ -91,8 +91,8 @@ void by_rows(const SpecularCases& cases, std::span<S> luminance) {
                     return vec3<S>{static_cast<S>(v[0][i]), static_cast<S>(v[1][i]), static_cast<S>(v[2][i])};
                 };
                 const auto seen = shading::seen_from(light, of(cases.area.position) * S(-1));
-                luminance[i] = by_rows_of(seen.light, seen.to_center, of(cases.area.normal), of(cases.view),
-                                          static_cast<S>(cases.alpha[g]));
+                luminance[i] = by_share_of(seen.light, seen.to_center, of(cases.area.normal), of(cases.view),
+                                           static_cast<S>(cases.alpha[g]));
             }
         });
 }
@@ -118,8 +118,8 @@ std::vector<SpecularMethodUnderTest> specular_methods(Kind kind) {
     for (const auto& [name, method] : names)
         for (const simd::InstructionSet set : simd::available_sets())
             methods.push_back(kernel_method(name, method, set));
-    methods.push_back({"ltc-rows", "double", {}, by_rows<double>});
-    methods.push_back({"ltc-rows", "float", by_rows<float>, {}});
+    methods.push_back({"ltc-share", "double", {}, by_share<double>});
+    methods.push_back({"ltc-share", "float", by_share<float>, {}});
     return methods;
 }
 

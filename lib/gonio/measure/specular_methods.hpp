@@ -14,7 +14,8 @@ namespace gonio::measure {
 using SpecularMethodUnderTest = Method<SpecularCases>;
 
 // ltc, representative-point, dominant-direction, specular-d, spherical-hack and sun-disk, each one float at a time and
-// as a kernel of each available set; ltc also in double. ltc-rows in both, without a kernel. Empty for punctual.
+// as a kernel of each available set; ltc also in double. ltc-share, the former default, in both, without a kernel.
+// Empty for punctual.
 std::vector<SpecularMethodUnderTest> specular_methods(shading::LightConstants::Kind kind);
 
 // For each case the luminance with F = 1, per luminance of the light, by quadrature (specular_truth.hpp) on `threads`

@@ -13,7 +13,7 @@
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/occlusion.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/specular_ltc.hpp>
+#include <gonio/shading/specular_by_share.hpp>
 
 #include <array>
 #include <numbers>
@@ -482,8 +482,8 @@ void shade_area(Function& f) {
     if (f.stages.front().value == last) f.stages = {{no_node, last, {}}}; // there is no diffuse part
 }
 
-// GGX under an area light by linearly transformed cosines: specular_ltc.hpp with the numbers of the lobe as parameters,
-// which come from a table (`gonio bake --table ltc-ggx`).
+// GGX under an area light by linearly transformed cosines: specular_by_share.hpp with the numbers of the lobe as
+// parameters, which come from a table (`gonio bake --table ltc-ggx`).
 template<class Light>
 void highlight_ltc(Function& f) {
     const Light light(f);
@@ -502,7 +502,7 @@ void highlight_ltc(Function& f) {
     };
     const auto result = [&](S scale, S grazing) { return (f0 + (Vector{f90, f90, f90} - f0) * grazing) * scale; };
     const auto of = light.as_light();
-    // The simple case of specular_ltc(): points alone.
+    // The simple case of specular_by_share(): points alone.
     const core::LtcFrame<S> frame = core::ltc_frame(light.normal, view);
     const S n_dot_v = dot(light.normal, view);
     const core::LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
@@ -514,7 +514,7 @@ void highlight_ltc(Function& f) {
     const auto small = size2 < S(alone * alone) * distance2;
     const auto dark = simd::either(points.patch.center.z < -points.rise(), !core::above_surface(n_dot_v));
     const Vector v{-frame.sine, S(0), simd::select(core::above_surface(n_dot_v), n_dot_v, S(1))};
-    const auto sums = core::detail::point_sums<false>(points, lobe, cosine, v);
+    const auto sums = core::detail::point_sums<core::detail::CosineSum::none>(points, lobe, cosine, v);
     const S by_points = simd::select(dark, S(0), simd::min(simd::max(sums.value, S(0)), S(1)));
     f.label("n_dot_v", n_dot_v);
     f.label("x", frame.x, "The lobe's frame: x towards which the mirrored view leans, y, and the normal.");
@@ -533,7 +533,7 @@ void highlight_ltc(Function& f) {
     f.early(simd::either(small, dark),
             S::of(result(by_points, simd::min(sums.grazing / simd::max(sums.value, S(1e-36)), S(1))).node()),
             "Small against the lobe, or below the horizon: the points are enough.");
-    const auto found = core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of);
+    const auto found = core::specular_by_share(of, light.to_center, light.normal, view, lobe, cosine_of);
     f.returns(result(found.scale, found.grazing));
 }
 

@@ -115,11 +115,9 @@ struct TubePoints {
     }
 };
 
-// The points of a light of any kind.
-template<class S>
+// The points of a light of any kind, or other points with strengths; at most `most`.
+template<class S, std::size_t most = 10>
 struct GatheredPoints {
-    static constexpr std::size_t most = 10;
-
     vec3<S> at[most];
     S strength[most];
     std::size_t count;

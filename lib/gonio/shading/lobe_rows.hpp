@@ -20,6 +20,7 @@
 #include <gonio/simd/math.hpp>
 
 #include <cstddef>
+#include <iterator>
 
 namespace gonio::shading::detail {
 
@@ -481,69 +482,94 @@ struct Extremes {
     }
 };
 
-// Sums over a region; f is the lobe itself.
-template<class S>
-struct LobeSums {
-    S value;     // ∫ f n·l dω with F = 1
-    S grazing;   // the same with F = (1 − l·h)⁵
-    S by_cosine; // ∫ of the transformed cosine, up to a factor
-};
+// A region's points and the solid angles that they stand for, as the points of a light (light_points.hpp). `v` is the
+// view in the receiver's frame, v.z > 0; α is the lobe's.
+template<class S, class Region>
+class RowPoints {
+public:
+    static constexpr std::size_t most = 5 * 2 * std::size(Region::rows);
 
-// The lobe's sums over a region of directions; `v` is the view in the receiver's frame, v.z > 0.
-template<class S, class Region, class Lobe>
-GONIO_FORCE_INLINE LobeSums<S> sums_over_rows(const Region& region, const LtcLobe<S>& cosine, const Lobe& lobe,
-                                              vec3<S> v) {
-    const vec3<S> e = region.nearest;
-    const S level = simd::sqrt(simd::mul_add(e.x, e.x, e.y * e.y));
-    const auto tilted = level > S(1e-12);
-    const S inverse_level = S(1) / simd::select(tilted, level, S(1));
-    const S ex = simd::select(tilted, e.x * inverse_level, S(1));
-    const S ey = simd::select(tilted, e.y * inverse_level, S(0));
-    const vec3<S> axis{-ey, ex, S(0)};
-    const vec3<S> ahead{-(e.z * ex), -(e.z * ey), level};
+    GONIO_FORCE_INLINE RowPoints(const Region& region, const LtcLobe<S>& cosine, S alpha, vec3<S> v)
+        : region_(region), v_(v), inwards_(region.nearest), inverse_alpha_(S(1) / simd::max(alpha, S(1e-4))) {
+        const vec3<S>& e = inwards_;
+        const S level = simd::sqrt(simd::mul_add(e.x, e.x, e.y * e.y));
+        const auto tilted = level > S(1e-12);
+        const S inverse_level = S(1) / simd::select(tilted, level, S(1));
+        const S ex = simd::select(tilted, e.x * inverse_level, S(1));
+        const S ey = simd::select(tilted, e.y * inverse_level, S(0));
+        axis_ = {-ey, ex, S(0)};
+        ahead_ = {-(e.z * ex), -(e.z * ey), level};
 
-    vec2<S> first{S(-1), S(1e-20)};
-    vec2<S> last{S(1), S(-1e-20)};
-    region.for_each_extreme(axis, Extremes<S>{ahead, e, first, last});
-    first = normalized(first);
-    last = normalized(last);
-    // The cosine ends where z' is 0. Beyond, as far as the light began before (from α² to 2α, as tangents), little is
-    // left of the lobe; all of a light that begins there is taken.
-    const vec2<S> horizon{-e.z, level};
-    const S before = cross(first, horizon);
-    const S cosine_before = dot(first, horizon);
-    const S ahead_by = simd::select(cosine_before > S(0), before / simd::max(cosine_before, S(1e-12)), S(1e12));
-    const S further = simd::min(simd::max(ahead_by, lobe.alpha * lobe.alpha), S(2) * lobe.alpha);
-    const vec2<S> limit = normalized(horizon + vec2<S>{-horizon.y, horizon.x} * further);
-    last = select(simd::both(before > S(0), cross(limit, last) > S(0)), limit, last);
-    const auto empty = simd::both(cross(first, last) <= S(0), dot(first, last) > S(-0.5));
+        first_ = {S(-1), S(1e-20)};
+        last_ = {S(1), S(-1e-20)};
+        region.for_each_extreme(axis_, Extremes<S>{ahead_, e, first_, last_});
+        first_ = normalized(first_);
+        last_ = normalized(last_);
+        // The cosine ends where z' is 0. Beyond, as far as the light began before (from α² to 2α, as tangents), little
+        // is left of the lobe; all of a light that begins there is taken.
+        const vec2<S> horizon{-e.z, level};
+        const S before = cross(first_, horizon);
+        const S cosine_before = dot(first_, horizon);
+        const S ahead_by = simd::select(cosine_before > S(0), before / simd::max(cosine_before, S(1e-12)), S(1e12));
+        const S further = simd::min(simd::max(ahead_by, alpha * alpha), S(2) * alpha);
+        const vec2<S> limit = normalized(horizon + vec2<S>{-horizon.y, horizon.x} * further);
+        last_ = select(simd::both(before > S(0), cross(limit, last_) > S(0)), limit, last_);
+        const auto empty = simd::both(cross(first_, last_) <= S(0), dot(first_, last_) > S(-0.5));
 
-    const S determinant = simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
-    const S inverse = S(1) / simd::max(determinant, S(1e-30));
-    const S inverse_m11 = S(1) / cosine.m11;
-    const auto back = [&](vec3<S> q) __attribute__((always_inline)) {
-        return vec3<S>{simd::mul_add(cosine.m22, q.x, -(cosine.m02 * q.z)) * inverse, q.y * inverse_m11,
-                       simd::mul_add(cosine.m00, q.z, -(cosine.m20 * q.x)) * inverse};
+        const S determinant = simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
+        const S inverse = S(1) / simd::max(determinant, S(1e-30));
+        back_ = {cosine.m00 * inverse, cosine.m02 * inverse, cosine.m20 * inverse, cosine.m22 * inverse,
+                 S(1) / cosine.m11};
+        toward_axis_ = back_(axis_);
+        strength_ = simd::select(empty, S(0), inverse * back_.inverse_m11);
+    }
+
+    // work(p, strength) for each point; the receiver sees it under the solid angle strength/|p|³.
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each(const Work& work) const {
+        // One loop over each, so that its body is compiled once.
+        vec2<S> turned[2 * std::size(Region::rows)];
+        S step[2 * std::size(Region::rows)];
+        std::size_t rows = 0;
+        const Fan<S> turn(first_, last_);
+        for (const AnglePair& pair : Region::rows)
+            turn.for_both(
+                pair, [&](vec2<S> at, S angle) __attribute__((always_inline)) {
+                    turned[rows] = at;
+                    step[rows] = angle;
+                    ++rows;
+                });
+        for (std::size_t k = 0; k < rows; ++k)
+            for_each_of_row(turned[k], step[k], work);
+    }
+
+private:
+    // The inverse of a cosine's transform.
+    struct Back {
+        S m00, m02, m20, m22; // over the determinant of the four
+        S inverse_m11;
+
+        GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> q) const {
+            return {simd::mul_add(m22, q.x, -(m02 * q.z)), q.y * inverse_m11, simd::mul_add(m00, q.z, -(m20 * q.x))};
+        }
     };
-    const vec3<S> toward_axis = back(axis);
-    const S inverse_alpha = S(1) / simd::max(lobe.alpha, S(1e-4));
 
-    LobeSums<S> sums{S(0), S(0), S(0)};
-    const auto add_row = [&](vec2<S> turned, S step) __attribute__((always_inline)) {
-        const vec3<S> base = ahead * turned.x + e * turned.y;
-        const RowPart<S> part = region.row(base, axis);
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each_of_row(vec2<S> turned, S step, const Work& work) const {
+        const vec3<S> base = ahead_ * turned.x + inwards_ * turned.y;
+        const RowPart<S> part = region_.row(base, axis_);
 
         // The half vector's slopes over α at the part's point nearest to B, and their change with τ. Elsewhere on the
         // row the light could be below the horizon.
         const S nearest = simd::min(simd::max(part.from, S(0)), simd::max(part.to, part.from));
-        const vec3<S> toward_base = back(base);
-        const vec3<S> toward_nearest = mul_add(toward_axis, nearest, toward_base);
+        const vec3<S> toward_base = back_(base);
+        const vec3<S> toward_nearest = mul_add(toward_axis_, nearest, toward_base);
         const S inverse_base = S(1) / simd::sqrt(simd::max(dot(toward_nearest, toward_nearest), S(1e-36)));
         const vec3<S> l = toward_nearest * inverse_base;
-        const vec3<S> change = (toward_axis - l * dot(l, toward_axis)) * inverse_base;
-        const vec3<S> h = l + v;
+        const vec3<S> change = (toward_axis_ - l * dot(l, toward_axis_)) * inverse_base;
+        const vec3<S> h = l + v_;
         const S inverse_z = S(1) / simd::max(h.z, S(1e-6));
-        const S scale = inverse_z * inverse_alpha;
+        const S scale = inverse_z * inverse_alpha_;
         const vec2<S> r{h.x * scale, h.y * scale};
         const vec2<S> dr{simd::mul_add(-(h.x * inverse_z), change.z, change.x) * scale,
                          simd::mul_add(-(h.y * inverse_z), change.z, change.y) * scale};
@@ -559,34 +585,34 @@ GONIO_FORCE_INLINE LobeSums<S> sums_over_rows(const Region& region, const LtcLob
         const S from = clamped(part.from);
         const S to = clamped(part.to);
         const Fan<S> along(normalized(vec2<S>{width, from}), normalized(vec2<S>{width, to}));
+        const S strength = simd::select(from < to, strength_ * step * width, S(0));
         // The direction at τ = least + width·y/x, times x.
-        const vec3<S> by_x = mul_add(toward_axis, least, toward_base);
-        const vec3<S> by_y = toward_axis * width;
-        const S weight = simd::select(simd::both(from < to, !empty), step * width, S(0));
-        const auto add_point = [&](vec2<S> at, S angle) __attribute__((always_inline)) {
-            const vec3<S> p = mul_add(by_x, at.x, by_y * at.y);
-            const S inverse_p = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-36)));
-            const vec3<S> to_light = p * inverse_p;
-            const auto lit = above_surface(to_light.z);
-            const S n_dot_l = simd::select(lit, to_light.z, S(1));
-            const HalfVector<S> half = half_vector(to_light, v);
-            const S solid_angle = angle * at.x * inverse_p * inverse_p * inverse_p * weight; // times a constant
-            const S value = simd::select(lit, lobe.value(n_dot_l, v.z, half) * n_dot_l * solid_angle, S(0));
-            sums.value = sums.value + value;
-            sums.grazing = simd::mul_add(value, schlick_weight(half.l_dot_h), sums.grazing);
-            const vec3<S> transformed = cosine(to_light);
-            const S inverse2 = S(1) / simd::max(dot(transformed, transformed), S(1e-36));
-            sums.by_cosine = simd::mul_add(transformed.z * inverse2 * inverse2, solid_angle, sums.by_cosine);
-        };
-        add_point(along.middle, along.half * S(LobeRule<S>::middle));
+        const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
+        const vec3<S> by_y = toward_axis_ * width;
+
+        vec2<S> at[5];
+        S angle[5];
+        at[0] = along.middle;
+        angle[0] = along.half * S(LobeRule<S>::middle);
+        std::size_t points = 1;
         for (const AnglePair& pair : LobeRule<S>::five)
-            along.for_both(pair, add_point);
-    };
-    const Fan<S> turn(first, last);
-    for (const AnglePair& pair : Region::rows)
-        turn.for_both(pair, add_row);
-    const S constant = inverse * inverse_m11;
-    return {sums.value * constant, sums.grazing * constant, sums.by_cosine * constant};
-}
+            along.for_both(
+                pair, [&](vec2<S> point, S of_point) __attribute__((always_inline)) {
+                    at[points] = point;
+                    angle[points] = of_point;
+                    ++points;
+                });
+        for (std::size_t k = 0; k < points; ++k)
+            work(mul_add(by_x, at[k].x, by_y * at[k].y), angle[k] * at[k].x * strength);
+    }
+
+    const Region& region_;
+    vec3<S> v_;
+    vec3<S> axis_, ahead_, inwards_; // A; B at ω = 0 and at a quarter of a turn
+    vec3<S> toward_axis_;
+    vec2<S> first_, last_; // ω
+    Back back_;
+    S inverse_alpha_, strength_;
+};
 
 } // namespace gonio::shading::detail

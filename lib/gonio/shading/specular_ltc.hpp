@@ -1,4 +1,6 @@
-// The specular part of a material under an area light by linearly transformed cosines (ltc_lobe.hpp, ltc_share.hpp).
+// The specular part of a material under an area light: its lobe itself, summed over points of the light or over rows of
+// points that a linearly transformed cosine places (ltc_lobe.hpp, lobe_rows.hpp), and corrected by the cosine's exact
+// share (ltc_share.hpp).
 //
 // One call gives both terms of the reflectance (specular_method.hpp). Positions are relative to the receiver.
 #pragma once
@@ -6,6 +8,7 @@
 #include <gonio/shading/gloss.hpp>
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/lights.hpp>
+#include <gonio/shading/lobe_rows.hpp>
 #include <gonio/shading/ltc_tube.hpp>
 #include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_method.hpp>
@@ -41,11 +44,7 @@ GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame,
     return ltc_cap(lobe, frame(toward), light.sine, light.cosine);
 }
 
-} // namespace detail
-
-namespace detail {
-
-// Sums over those points of a light that are above the horizon, in ltc_frame's frame.
+// Sums over those points of a light, or of rows, that are above the horizon, in ltc_frame's frame.
 template<class S>
 struct PointSums {
     S value;     // ∫ f n·l dω, of the lobe itself with F = 1
@@ -53,7 +52,11 @@ struct PointSums {
     S by_cosine; // ∫ of the transformed cosine that approximates the lobe, up to a factor
 };
 
-template<bool with_cosine, class S, class Points, class Lobe>
+// What by_cosine sums: nothing, the cosine with its sign, as its exact share does (ltc_lobe.hpp), or where it is
+// positive.
+enum class CosineSum { none, whole, positive };
+
+template<CosineSum which, class S, class Points, class Lobe>
 GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine,
                                            vec3<S> v) {
     PointSums<S> sums{S(0), S(0), S(0)};
@@ -68,49 +71,101 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
         const S value = lobe.value(n_dot_l, v.z, h) * n_dot_l * solid_angle;
         sums.value = sums.value + value;
         sums.grazing = simd::mul_add(value, schlick_weight(h.l_dot_h), sums.grazing);
-        if constexpr (with_cosine) {
+        if constexpr (which != CosineSum::none) {
             const vec3<S> q = cosine(l);
             const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
-            sums.by_cosine = simd::mul_add(simd::max(q.z, S(0)) * inverse_q * inverse_q, solid_angle, sums.by_cosine);
+            const S n_dot_q = which == CosineSum::positive ? simd::max(q.z, S(0)) : q.z;
+            sums.by_cosine = simd::mul_add(n_dot_q * inverse_q * inverse_q, solid_angle, sums.by_cosine);
         }
     });
     return sums;
 }
 
 // The same for points of any light: not inlined, where kernels are to be small.
-template<bool with_cosine, class S, class Lobe>
-[[gnu::noinline]] void sum_gathered(const GatheredPoints<S>& points, const Lobe& lobe, const LtcLobe<S>& cosine,
+template<CosineSum which, class S, class Lobe, std::size_t most>
+[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, most>& points, const Lobe& lobe, const LtcLobe<S>& cosine,
                                     const vec3<S>& v, PointSums<S>& sums) {
-    sums = point_sums<with_cosine>(points, lobe, cosine, v);
+    sums = point_sums<which>(points, lobe, cosine, v);
 }
-template<bool with_cosine, class S, class Points, class Lobe>
+template<CosineSum which, class S, class Points, class Lobe>
 GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine, vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
-    GatheredPoints<S> gathered;
+    GatheredPoints<S, which == CosineSum::whole ? 30 : 10> gathered; // rows, or a light's points
     gathered.gather(points);
     PointSums<S> sums;
-    sum_gathered<with_cosine>(gathered, lobe, cosine, v, sums);
+    sum_gathered<which>(gathered, lobe, cosine, v, sums);
     return sums;
 #else
-    return point_sums<with_cosine>(points, lobe, cosine, v);
+    return point_sums<which>(points, lobe, cosine, v);
 #endif
 }
 
-// Sizes after the transform (a length over its distance). Below the first only the points are used; above the second
-// they only correct the transformed cosine's share, with less and less weight from the third to the fourth.
-inline constexpr double ltc_points_alone[2] = {0.15, 0.25};
-inline constexpr double ltc_points_useful[2] = {0.8, 1.6};
+// Below these sizes (a length over its distance, after the transform) the light's own points are used; the second holds
+// where the horizon cuts the light.
+inline constexpr double rows_from = 0.15;
+inline constexpr double rows_from_if_cut = 1e-3;
+
+// Whether the receiver is in the light, which then fills its hemisphere.
+template<class S, class Light>
+GONIO_FORCE_INLINE simd::mask_of<S> surrounded(const Light& /*light*/, vec3<S> /*to_center*/) {
+    return S(0) > S(1);
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> surrounded(const SphereLight<S>& light, vec3<S> to_center) {
+    const S scale = points_scale(light, to_center);
+    const vec3<S> c = to_center * scale;
+    return simd::difference_of_squares(c.x, c.y, c.z, light.radius * scale) < S(0);
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> surrounded(const TubeLight<S>& light, vec3<S> to_center) {
+    const S scale = points_scale(light, to_center);
+    const vec3<S> c = to_center * scale;
+    const S half = S(0.5) * (simd::abs(light.length) * scale);
+    const S along = dot(light.axis, c);
+    const S within = simd::min(simd::max(along, -half), half);
+    const vec3<S> nearest = perpendicular(c, light.axis) + light.axis * (along - within);
+    return simd::difference_of_squares(nearest.x, nearest.y, nearest.z, light.radius * scale) < S(0);
+}
+
+// Whether the receiver is behind a flat light that emits to one side, or in its plane.
+template<class S, class Light, class Points>
+GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const Light& /*light*/, const Points& /*points*/) {
+    return S(0) > S(1);
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const DiskLight<S>& /*light*/, const DiskPoints<S>& points) {
+    return !(points.patch.strength > S(0));
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const RectangleLight<S>& /*light*/, const RectanglePoints<S>& points) {
+    return !(points.patch.strength > S(0));
+}
+
+// The height of a light's centre above the horizon.
+template<class S, class Points, class Light, class Frame>
+GONIO_FORCE_INLINE S center_height(const Points& points, const Light& /*light*/, const Frame& /*frame*/,
+                                   vec3<S> /*to_center*/) {
+    return points.patch.center.z;
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE S center_height(const TubePoints<S>& /*points*/, const TubeLight<S>& light, const Frame& frame,
+                                   vec3<S> to_center) {
+    return TubeSeen<S>(light, frame, to_center).center().z;
+}
 
 } // namespace detail
 
 // A lobe (gloss.hpp). `normal` and `view` are unit; `to_center` leads from the receiver to the light's centre. 0 where
-// n·v is not positive. Light is any light with a size, or a SunLight; its window is not
-// applied.
+// n·v is not positive. Light is any light with a size, or a SunLight; its window is not applied.
 //
-// The true lobe is summed over a few points of the light (light_points.hpp). If the light is small compared with the
-// lobe, that sum is the result. Otherwise the sum corrects the transformed cosine: its exact share is multiplied by the
-// ratio of both sums over the same points. The weight of this correction depends on how well the points reproduce the
-// exact share.
+// The lobe is summed over the light's own points if the light is small compared with the lobe, otherwise over rows of
+// points. With F and C the sums of the lobe and of the transformed cosine over the rows, and K the cosine's exact
+// share, the result is
+//
+//     F (1 + w² (K/C − 1)),  w = K C/((C − K)²/0.2² + K C)
+//
+// If the points give the cosine's share nearly, they err in the lobe as in the cosine, so K/C mends both; w is near 1
+// then. If they do not, F stays.
 //
 // `cosine_of(n·v, ‖n×v‖)` gives the transformed cosine of the lobe's α.
 template<class S, class Light, template<class> class Lobe, class CosineOf>
@@ -122,42 +177,45 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     const LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
     const vec3<S> v{-frame.sine, S(0), simd::select(seen, n_dot_v, S(1))};
     const auto points = detail::points_of(light, frame, to_center);
-    const vec3<S> c = points.patch.center;
+    const S height = detail::center_height(points, light, frame, to_center);
     const S rise = points.rise();
-    const vec3<S> c1 = cosine(c);
+    const vec3<S> c1 = cosine(points.patch.center);
     const S distance2 = simd::max(dot(c1, c1), S(1e-36));
     const S size2 = points.transformed_size2(cosine);
-    constexpr double alone2 = detail::ltc_points_alone[0] * detail::ltc_points_alone[0];
-    const auto small = size2 < S(alone2) * distance2;
-    const auto dark = simd::either(c.z < -rise, !seen);
-    if (simd::all(simd::either(small, dark))) {
-        const detail::PointSums<S> sums = detail::sums_over<false>(points, lobe, cosine, v);
-        const S scale = simd::min(simd::max(simd::select(dark, S(0), sums.value), S(0)), S(1));
-        return {scale, simd::min(sums.grazing / simd::max(sums.value, S(1e-36)), S(1))};
+    constexpr double from2 = detail::rows_from * detail::rows_from;
+    constexpr double from2_if_cut = detail::rows_from_if_cut * detail::rows_from_if_cut;
+    const auto small = size2 < simd::select(simd::abs(height) < rise, S(from2_if_cut), S(from2)) * distance2;
+    const auto dark = simd::either(simd::either(height < -rise, detail::unlit_side<S>(light, points)), !seen);
+    S value = S(0);
+    S grazing = S(0);
+    if (simd::any(simd::both(small, !dark))) {
+        const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::none>(points, lobe, cosine, v);
+        value = sums.value;
+        grazing = sums.grazing / simd::max(sums.value, S(1e-36));
     }
-    const detail::PointSums<S> sums = detail::sums_over<true>(points, lobe, cosine, v);
-    const S determinant = cosine.m11 * simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
-    const S albedo = cosine.albedo * lobe.albedo_share(v.z);
-    const S share = detail::ltc_share(cosine, frame, light, to_center) * albedo;
-    const S by_cosine =
-        sums.by_cosine * determinant * albedo * S(0.31830988618379067154) / simd::max(cosine.horizon_z, S(1e-12));
-    const S relative_size = simd::sqrt(size2 / distance2);
-    const auto fall = [&](const double(&range)[2]) {
-        return simd::min(simd::max((S(range[1]) - relative_size) * S(1.0 / (range[1] - range[0])), S(0)), S(1));
-    };
-    // (κ + 1/κ − 2)/0.3² for the ratio κ of both, which is (ln κ/0.3)² where κ is near 1.
-    const S product = by_cosine * share;
-    const S apart = (by_cosine - share) * S(1.0 / 0.3);
-    const S trust = product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
-    const S confidence = fall(detail::ltc_points_useful) * trust * trust;
-    const S ratio = sums.value / simd::max(by_cosine, S(1e-30));
-    const S corrected = share * simd::mul_add(confidence, ratio - S(1), S(1));
-    const S alone = fall(detail::ltc_points_alone);
-    const S scale = simd::mul_add(alone, sums.value - corrected, corrected);
-    const S by_points = sums.grazing / simd::max(sums.value, S(1e-36));
-    const S by_table = cosine.grazing / cosine.albedo;
-    const S grazing = simd::mul_add(simd::max(confidence, alone), by_points - by_table, by_table);
-    return {simd::select(dark, S(0), simd::min(simd::max(scale, S(0)), S(1))),
+    if (!simd::all(simd::either(small, dark))) {
+        const auto region = detail::region_of(cosine, points, light, frame, to_center);
+        const detail::RowPoints<S, decltype(region)> rows(region, cosine, lobe.alpha, v);
+        const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::whole>(rows, lobe, cosine, v);
+        const S determinant = cosine.m11 * simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
+        const S albedo = cosine.albedo * lobe.albedo_share(v.z);
+        const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
+        constexpr double inverse_pi = 0.31830988618379067154;
+        const S c = sums.by_cosine * determinant * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
+        const auto both = simd::both(k > S(0), c > S(0));
+        const S product = simd::select(both, k * c, S(0));
+        const S apart = (c - k) * S(1.0 / 0.2);
+        const S trust = product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
+        const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
+        const S by_rows = sums.value * simd::mul_add(trust * trust, ratio - S(1), S(1));
+        // In a light, and where rounding leaves nothing of the rows of a light seen edge-on, only the share is known.
+        const auto by_share = simd::either(detail::surrounded(light, to_center), simd::abs(c) < S(1e-3) * k);
+        value = simd::select(small, value, simd::select(by_share, k, by_rows));
+        grazing = simd::select(
+            small, grazing,
+            simd::select(by_share, cosine.grazing / cosine.albedo, sums.grazing / simd::max(sums.value, S(1e-36))));
+    }
+    return {simd::select(dark, S(0), simd::min(simd::max(value, S(0)), S(1))),
             simd::min(simd::max(grazing, S(0)), S(1))};
 }
 

@@ -13,7 +13,7 @@
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/occlusion.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/specular_ltc.hpp>
+#include <gonio/shading/specular_by_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -343,7 +343,7 @@ core_vector highlight(Dice& dice, Inputs& in, std::string_view light, core_vecto
     };
     const core_vector one{1.0, 1.0, 1.0};
     const auto under = [&](const auto& shape) {
-        return shading::specular_ltc(shape, c, n, v, shading::GgxLobe<double>{alpha}, cosine_of);
+        return shading::specular_by_share(shape, c, n, v, shading::GgxLobe<double>{alpha}, cosine_of);
     };
     const auto found = [&] {
         if (light == "sphere") return under(shading::SphereLight<double>{c, one, in.at(3), 0.0});

@@ -1,7 +1,7 @@
 // Rows of points that a lobe places: their places, and their sums against quadrature, float and the parts of a light.
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
-#include <gonio/shading/specular_by_rows.hpp>
+#include <gonio/shading/specular_ltc.hpp>
 
 #include "../scaled.hpp"
 #include "poses.hpp"
@@ -75,12 +75,12 @@ TEST(LobeRows, AFanDividesAnglesByTheRule) {
 template<class S, class Light>
 [[gnu::noinline]] SpecularLuminance<S> by_rows(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
                                                GgxLobe<S> lobe) {
-    return specular_by_rows(light, to_center, normal, view, lobe);
+    return specular_ltc(light, to_center, normal, view, lobe);
 }
 
 std::vector<double> rows_of(const char* precision, const measure::SpecularCases& cases, Kind kind) {
     for (const measure::SpecularMethodUnderTest& method : measure::specular_methods(kind))
-        if (method.name == "ltc-rows" && method.precision == precision) return measure::evaluated(method, cases);
+        if (method.name == "ltc" && method.precision == precision) return measure::evaluated(method, cases);
     ADD_FAILURE() << precision;
     return {};
 }
