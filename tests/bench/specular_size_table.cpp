@@ -1,5 +1,5 @@
 // Prints the table in MEASURED.md of shading/ for ltc by the light's size relative to the lobe: its relative error next
-// to the errors of its components and of a single direction, in Markdown.
+// to those of the transformed cosine alone, of its share corrected by points and of a single direction, in Markdown.
 //
 //   gonio-specular-size-table [CASES_PER_SHAPE [SEED]]
 //
@@ -9,6 +9,7 @@
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/shading/packet.hpp>
+#include <gonio/shading/specular_by_share.hpp>
 #include <gonio/shading/specular_named.hpp>
 
 #include <cmath>
@@ -24,7 +25,7 @@ using namespace gonio::shading;
 using Kind = LightConstants::Kind;
 
 constexpr std::size_t ways = 4;
-constexpr const char* names[ways] = {"transformed cosine alone", "points alone", "ltc", "representative-point"};
+constexpr const char* names[ways] = {"transformed cosine alone", "ltc-share", "ltc", "representative-point"};
 
 struct Case {
     double size;
@@ -48,7 +49,7 @@ Case evaluated(const LightConstants& light, vec3<double> to_center, vec3<double>
         found.cut = points.patch.center.z <= points.rise();
         const auto seen = seen_from(typed, to_center);
         found.value[0] = shading::detail::ltc_share(cosine, frame, seen.light, seen.to_center) * cosine.albedo;
-        found.value[1] = shading::detail::point_sums<false>(points, lobe, cosine, {-frame.sine, 0.0, mu}).value;
+        found.value[1] = specular_by_share(seen.light, seen.to_center, n, v, lobe).scale;
         found.value[2] = specular_ltc(typed, to_center, n, v, lobe).scale;
         found.value[3] = specular_by<SpecularMethod::representative_point>(typed, to_center, n, v, lobe).scale;
     });

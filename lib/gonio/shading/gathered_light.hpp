@@ -4,6 +4,7 @@
 
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/reflect.hpp>
+#include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/shading/vec3.hpp>
 

@@ -46,6 +46,8 @@ struct DiskPoints {
                                           {-0.40824829F, -0.70710678F, 0.125F},
                                           {0.40824829F, -0.70710678F, 0.125F}};
 
+    static constexpr std::size_t size = 7;
+
     LightPatch<S> patch;
 
     // How far the light reaches from the centre along the normal.
@@ -72,6 +74,7 @@ struct RectanglePoints {
                                           {-0.77459667F, 0.77459667F, 25.0F / 324},
                                           {0.0F, 0.77459667F, 40.0F / 324},
                                           {0.77459667F, 0.77459667F, 25.0F / 324}};
+    static constexpr std::size_t size = 9;
 
     LightPatch<S> patch;
 
@@ -92,6 +95,8 @@ struct TubePoints {
         {-0.77459667F, -0.57735027F, 5.0F / 36}, {0.0F, -0.57735027F, 8.0F / 36},
         {0.77459667F, -0.57735027F, 5.0F / 36},  {-0.77459667F, 0.57735027F, 5.0F / 36},
         {0.0F, 0.57735027F, 8.0F / 36},          {0.77459667F, 0.57735027F, 5.0F / 36}};
+
+    static constexpr std::size_t size = 6 + 4; // and the ends
 
     LightPatch<S> patch; // u along the axis
     S radius, half;
@@ -124,6 +129,7 @@ struct GatheredPoints {
 
     template<class Points>
     GONIO_FORCE_INLINE void gather(const Points& points) {
+        static_assert(Points::size <= most);
         count = 0;
         points.for_each([&](vec3<S> p, S s) __attribute__((always_inline)) {
             at[count] = p;

@@ -482,12 +482,14 @@ struct Extremes {
     }
 };
 
+inline constexpr std::size_t most_row_points = 30; // a tube's
+
 // A region's points and the solid angles that they stand for, as the points of a light (light_points.hpp). `v` is the
 // view in the receiver's frame, v.z > 0; α is the lobe's.
 template<class S, class Region>
 class RowPoints {
 public:
-    static constexpr std::size_t most = 5 * 2 * std::size(Region::rows);
+    static constexpr std::size_t size = 2 * std::size(Region::rows) * 5;
 
     GONIO_FORCE_INLINE RowPoints(const Region& region, const LtcLobe<S>& cosine, S alpha, vec3<S> v)
         : region_(region), v_(v), inwards_(region.nearest), inverse_alpha_(S(1) / simd::max(alpha, S(1e-4))) {

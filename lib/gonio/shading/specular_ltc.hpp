@@ -90,7 +90,7 @@ template<CosineSum which, class S, class Lobe, std::size_t most>
 template<CosineSum which, class S, class Points, class Lobe>
 GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine, vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
-    GatheredPoints<S, which == CosineSum::whole ? 30 : 10> gathered; // rows, or a light's points
+    GatheredPoints<S, which == CosineSum::whole ? most_row_points : 10> gathered; // of rows, or of a light
     gathered.gather(points);
     PointSums<S> sums;
     sum_gathered<which>(gathered, lobe, cosine, v, sums);
