@@ -85,16 +85,16 @@ std::vector<double> rows_of(const char* precision, const measure::SpecularCases&
     return {};
 }
 
-// Where the luminance is above 1e-3 of the light's. Measured with 2000 poses: median 0.0012 to 0.0040, 95 % below 0.045
-// to 0.073, ellipses 0.086. The tolerances leave room for the scatter of fewer poses.
+// Where the luminance is above 1e-3 of the light's. With 2000 other poses: median 0.0012 to 0.0040, 95 % below 0.045
+// to 0.073, ellipses 0.086. The tolerances are what these poses give and a small margin.
 TEST(LobeRows, NineteenOfTwentyPosesAreWithinTenPercent) {
     struct Tolerance {
         Kind kind;
         double median, p95;
     };
-    for (const Tolerance& allowed : {Tolerance{Kind::sphere, 0.005, 0.10}, Tolerance{Kind::disk, 0.006, 0.10},
-                                     Tolerance{Kind::rectangle, 0.008, 0.10}, Tolerance{Kind::tube, 0.004, 0.10},
-                                     Tolerance{Kind::ellipse, 0.006, 0.13}}) {
+    for (const Tolerance& allowed : {Tolerance{Kind::sphere, 0.0031, 0.038}, Tolerance{Kind::disk, 0.0034, 0.07},
+                                     Tolerance{Kind::rectangle, 0.007, 0.09}, Tolerance{Kind::tube, 0.0012, 0.06},
+                                     Tolerance{Kind::ellipse, 0.0046, 0.11}}) {
         const auto cases = measure::specular_cases(allowed.kind, gonio::test::scaled(std::size_t{500}), 7);
         const std::vector<double> in_double = rows_of("double", cases, allowed.kind);
         const std::vector<double> in_float = rows_of("float", cases, allowed.kind);
