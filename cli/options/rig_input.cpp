@@ -9,7 +9,10 @@
 namespace gonio::cli {
 
 RigReadOptions rig_read_options(const Arguments& arguments) {
-    return {arguments.has("--allow-outside"), "add --allow-outside if you trust the rig"};
+    RigReadOptions options;
+    options.allow_outside = arguments.has("--allow-outside");
+    options.outside_hint = "add --allow-outside if you trust the rig";
+    return options;
 }
 
 Result<LightsInput> rig_input(const std::string& rig_file, const Arguments& arguments) {

@@ -15,7 +15,8 @@ namespace gonio {
 inline constexpr const Limit& largest_file = limit("file-bytes");
 
 // The bytes of a file (or of a pipe or device, to its end). Fails (io) on a folder, if it cannot be opened or read, and
-// on more bytes than the limit. Memory is allocated only for bytes that have been read, not for an announced size.
+// on more bytes than the limit. Memory is used only for bytes that have been read; for those of a regular file it is
+// reserved, up to the limit.
 Result<std::string> read_file(const std::string& path, const Limit& most = largest_file);
 
 // The first `count` bytes of a file, or as many as it has. Fails as read_file does.

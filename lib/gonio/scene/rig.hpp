@@ -97,6 +97,7 @@ struct Rig {
 struct RigReadOptions {
     bool allow_outside = false; // any file, not only regular ones under the rig's folder
     std::string outside_hint;   // the advice of a refusal, such as a command's option; empty: to put the file there
+    unsigned threads = 0;       // 0 = all hardware threads; the rig is the same for any number
 };
 
 // `source` names the text in messages; relative file names are looked up in `folder` (empty: the current one).
