@@ -1,6 +1,7 @@
 #include "rig_input.hpp"
 
 #include "light_input.hpp"
+#include "values.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@ RigReadOptions rig_read_options(const Arguments& arguments) {
     RigReadOptions options;
     options.allow_outside = arguments.has("--allow-outside");
     options.outside_hint = "add --allow-outside if you trust the rig";
+    if (arguments.offers("--jobs")) options.threads = thread_count(arguments).value_or(0); // refused elsewhere
     return options;
 }
 

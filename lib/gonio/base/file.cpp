@@ -72,6 +72,11 @@ Result<std::string> read_file(const std::string& path, const Limit& most) {
     return read_all(file.get(), path, most, *size);
 }
 
+std::size_t size_of_file(const std::string& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 ? known_size(status) : 0;
+}
+
 Result<std::string> read_file_start(const std::string& path, std::size_t count) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
     if (Result<std::size_t> size = check_readable(file.get(), path); !size) return pass_on(size);

@@ -36,6 +36,9 @@ void hold_standard_descriptors();
 // Whether something exists at `path` (links followed).
 bool file_exists(const std::string& path);
 
+// The bytes that the system states for a regular file; 0 for anything else.
+std::size_t size_of_file(const std::string& path);
+
 // The same text for two paths if and only if they name the same regular file, or would once it exists: hard and
 // symbolic links, "a" and "./a". Empty for a folder, a device or a pipe.
 std::string file_identity(const std::string& path);

@@ -6,6 +6,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/light_resolver.hpp>
 #include <gonio/scene/detail/rig_expand.hpp>
 #include <gonio/scene/detail/rig_plain.hpp>
 #include <gonio/scene/detail/rig_reader.hpp>
@@ -81,9 +82,12 @@ class Reader {
 public:
     Reader(std::string source, FileScope files) : files_(std::move(files)) { rig_.source = std::move(source); }
 
-    // Reads lights as PlainLight where it can. A failure says only that the other way is needed, for its message.
-    Result<Rig> read_plain(std::string_view text, unsigned threads) {
+    // Reads lights as PlainLight where it can. A failure says only that the other way is needed, for its message. With
+    // a sink, lights go there, resolved.
+    Result<Rig> read_plain(std::string_view text, unsigned threads, LightsSink* sink_of_lights = nullptr) {
         is_plain_ = true;
+        lights_sink_ = sink_of_lights;
+        resolver_.emplace(rig_.source, threads);
         text_ = text;
         threads_ = threads;
         const detail::RigSink sink{{},
@@ -97,7 +101,13 @@ public:
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         // Which colours are not remembered any more, and remarked upon again, depends on the order of all of them.
         if (remarked_color_ && known_.colors.size() == most_remembered) return other_way();
-        return finish(std::move(streamed));
+        Result<Rig> rig = finish(std::move(streamed));
+        if (!rig || lights_sink_ == nullptr) return rig;
+        if (Result<void> passed = pass_lights(rig->lights); !passed) return pass_on(passed);
+        rig->places.clear();
+        const Diagnostics noticed = resolver_->noticed();
+        rig->diagnostics.insert(rig->diagnostics.end(), noticed.begin(), noticed.end());
+        return rig;
     }
 
     // The way of values: every light as a tree of them, with the place of each mistake.
@@ -161,7 +171,7 @@ private:
         if (!first) return other_way();
         known_.written_luminaires = &luminaires_;
         constexpr std::size_t bytes = std::size_t{1} << 18U; // of a piece, some thousand lights
-        const std::size_t together = 8 * std::size_t{threads_ == 0 ? available_threads() : threads_};
+        const std::size_t together = 4 * std::size_t{threads_ == 0 ? available_threads() : threads_};
         std::size_t element = *first;
         std::size_t index = 0;
         // The first piece is short and alone: files that its lights name are known to all after it.
@@ -184,6 +194,11 @@ private:
                 if (piece.is_closed) return piece.end;
                 element = piece.end;
             }
+            if (lights_sink_ != nullptr) {
+                for (LightDescription& light : rig_.lights)
+                    light.level *= maintenance_;
+                if (Result<void> passed = pass_lights(rig_.lights); !passed) return pass_on(passed);
+            }
             ends.clear();
             for (std::size_t p = 1; p <= together; ++p)
                 ends.push_back(std::min(element + p * bytes, text_.size()));
@@ -200,6 +215,17 @@ private:
         if (!plain.is_named) plain.light.name = detail::usual_name(plain.luminaire, index);
         if (!rig_.places.empty()) note_place(fmt::format("lights[{}]", index));
         rig_.lights.push_back(std::move(plain.light));
+        return {};
+    }
+
+    // The descriptions are gone then.
+    Result<void> pass_lights(std::vector<LightDescription>& descriptions) {
+        Result<std::vector<Light>> resolved =
+            resolver_->resolve(descriptions, [](std::size_t /*index*/) { return std::string(); });
+        if (!resolved) return pass_on(resolved);
+        descriptions.clear();
+        has_passed_lights_ = true;
+        lights_sink_->add(std::move(*resolved));
         return {};
     }
 
@@ -424,6 +450,7 @@ private:
         } else if (key == "luminaires") {
             return luminaires(json);
         } else if (key == "maintenance") {
+            if (has_passed_lights_) return other_way(); // they do not have the factor
             Result<void> kept = keep(detail::maintenance_of(json), maintenance_);
             if (!kept) return placed(kept.error(), rig_.source, "maintenance");
         } else if (key == "camera") {
@@ -527,6 +554,9 @@ private:
     std::size_t smooth_intensities_ = 0;
     bool is_plain_ = false; // read_plain()
     std::string_view text_; // for it
+    LightsSink* lights_sink_ = nullptr;
+    std::optional<detail::LightResolver> resolver_;
+    bool has_passed_lights_ = false;
     unsigned threads_ = 0;
 };
 
@@ -536,6 +566,11 @@ namespace {
 
 FileScope files_of(const std::string& folder, const RigReadOptions& options) {
     return options.allow_outside ? FileScope::anywhere(folder) : FileScope::under(folder, options.outside_hint);
+}
+
+// A spectrum may be a pipe, which cannot be read twice.
+bool may_read_twice(std::string_view text, const RigReadOptions& options) {
+    return !options.allow_outside || text.find("spectrum:") == std::string_view::npos;
 }
 
 } // namespace
@@ -552,17 +587,51 @@ Result<Rig> detail::read_rig_plainly(std::string_view text, const std::string& s
 
 Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder,
                      const RigReadOptions& options) {
-    // A spectrum may be a pipe, which cannot be read twice.
-    if (!options.allow_outside || text.find("spectrum:") == std::string_view::npos)
+    if (may_read_twice(text, options))
         if (Result<Rig> rig = detail::read_rig_plainly(text, source, folder, options)) return rig;
     return detail::read_rig_by_values(text, source, folder, options);
 }
 
+namespace {
+
+Result<std::string> text_of_rig(const std::string& path) {
+    return path == "-" ? read_standard_input(limit("rig-bytes")) : read_file(path, limit("rig-bytes"));
+}
+
+} // namespace
+
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options) {
-    Result<std::string> text =
-        path == "-" ? read_standard_input(limit("rig-bytes")) : read_file(path, limit("rig-bytes"));
+    Result<std::string> text = text_of_rig(path);
     if (!text) return pass_on(text);
     return read_rig(*text, path, folder_of_file(path), options);
+}
+
+Result<Rig> stream_rig_file(const std::string& path, const RigReadOptions& options, LightsSink& sink,
+                            Diagnostics& diagnostics) {
+    Result<std::string> text = text_of_rig(path);
+    if (!text) return pass_on(text);
+    const std::string folder = folder_of_file(path);
+    sink.restart();
+    if (may_read_twice(*text, options)) {
+        Result<Rig> rig = Reader(path, files_of(folder, options)).read_plain(*text, options.threads, &sink);
+        if (rig) {
+            const Diagnostics said = std::exchange(rig->diagnostics, {});
+            diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+            return rig;
+        }
+        sink.restart();
+    }
+    Result<Rig> rig = detail::read_rig_by_values(*text, path, folder, options);
+    if (!rig) return rig;
+    Rig of_lights;
+    of_lights.source = rig->source;
+    of_lights.lights = std::exchange(rig->lights, {});
+    of_lights.places = std::exchange(rig->places, {});
+    of_lights.diagnostics = std::exchange(rig->diagnostics, {});
+    Result<std::vector<Light>> lights = resolve_lights(std::move(of_lights), diagnostics, options.threads);
+    if (!lights) return pass_on(lights);
+    sink.add(std::move(*lights));
+    return rig;
 }
 
 std::span<const std::string_view> rig_keys() {

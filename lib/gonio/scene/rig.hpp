@@ -131,6 +131,29 @@ Result<void> require_lights(const Rig& rig);
 // Remarks are appended to `diagnostics`.
 Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads = 0);
 
+// Takes the lights of a rig while it is read.
+class LightsSink {
+public:
+    LightsSink() = default;
+    LightsSink(const LightsSink&) = delete;
+    LightsSink& operator=(const LightsSink&) = delete;
+    virtual ~LightsSink() = default;
+
+    // The next lights, in the order of the rig.
+    virtual void add(std::vector<Light> lights) = 0;
+
+    // Lights that were added before do not count: the first light of the rig is the next one.
+    virtual void restart() = 0;
+};
+
+// read_rig_file() and resolve_lights() in one, for sums over many lights: these are passed on, some thousands at a
+// time, and only the text of the file is kept. All at once where the rig has no plain lights (comments in lights are
+// plain, luminaires and the maintenance factor of the rig behind its lights are not). The rig that is returned has no
+// lights and no diagnostics: what was noticed is appended to `diagnostics`. Fails as those do, with the same messages;
+// what was added does not count then.
+Result<Rig> stream_rig_file(const std::string& path, const RigReadOptions& options, LightsSink& sink,
+                            Diagnostics& diagnostics);
+
 // The keys that a rig, one of its lights and its camera may have.
 std::span<const std::string_view> rig_keys();
 std::span<const std::string_view> rig_light_keys();

@@ -5,12 +5,15 @@
 #include <gonio/web/web.hpp>
 
 #include "../folders.hpp"
+#include "../temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 #include <string_view>
@@ -295,6 +298,101 @@ TEST(RigPlain, ManyLightsAreThoseOfTheirValuesAtAnyNumberOfThreads) {
     broken.replace(broken.rfind("\"shape\""), 7, "\"shame\"");
     EXPECT_FALSE(plainly(broken));
     EXPECT_EQ(said(read_rig(broken, "rig.json", profiles)), said(by_values(broken)));
+}
+
+// Keeps what a stream passes on.
+class Keeper final : public LightsSink {
+public:
+    void add(std::vector<Light> more) override {
+        ++parts;
+        for (Light& light : more)
+            lights.push_back(std::move(light));
+    }
+    void restart() override {
+        lights.clear();
+        parts = 0;
+    }
+
+    std::vector<Light> lights;
+    std::size_t parts = 0;
+};
+
+std::string state_of(const Light& light) {
+    return fmt::format("'{}' {} {} {} {} {} {} {:a} {:a} {:a} {:a} {:a} {}", light.name, kind_of(light.shape),
+                       bits(light.frame.origin), bits(light.frame.x), bits(light.frame.y), bits(light.frame.z),
+                       bits(light.color), light.intensity.value, light.luminance.value, light.illuminance.value,
+                       light.web_scale, light.range.value_or(Meters(-1.0)).value, pattern_of(light.shape) != nullptr);
+}
+
+std::vector<std::string> state_of(const std::vector<Light>& all) {
+    std::vector<std::string> state;
+    for (const Light& light : all)
+        state.push_back(state_of(light));
+    return state;
+}
+
+// The text as a file beside copies of the profiles that it names.
+class RigFile {
+public:
+    explicit RigFile(const std::string& text) {
+        for (const char* const name : {"downlight.ies", "wall-washer.ies", "street.ldt"})
+            std::filesystem::copy_file(std::filesystem::path(profiles) / name, folder_.path() / name);
+        std::ofstream(path()) << text;
+    }
+    std::string path() const { return (folder_.path() / "rig.json").string(); }
+
+private:
+    test::TemporaryFolder folder_;
+};
+
+// How many parts the lights came in; 0: the rig was refused.
+std::size_t parts_of_stream(const std::string& text) {
+    const RigFile file(text);
+    Diagnostics kept;
+    Result<std::vector<Light>> expected;
+    if (Result<Rig> rig = read_rig_file(file.path()))
+        expected = resolve_lights(std::move(*rig), kept);
+    else
+        expected = Unexpected(rig.error());
+    Keeper keeper;
+    Diagnostics passed;
+    const Result<Rig> rest = stream_rig_file(file.path(), {}, keeper, passed);
+    EXPECT_EQ(rest.has_value(), expected.has_value());
+    if (!rest || !expected) {
+        if (!rest && !expected) {
+            EXPECT_EQ(to_text(rest.error().diagnostics.back()), to_text(expected.error().diagnostics.back()));
+        }
+        return 0;
+    }
+    EXPECT_TRUE(rest->lights.empty());
+    EXPECT_EQ(state_of(keeper.lights), state_of(*expected));
+    EXPECT_EQ(passed.size(), kept.size());
+    for (std::size_t i = 0; i < std::min(passed.size(), kept.size()); ++i)
+        EXPECT_EQ(to_text(passed[i]), to_text(kept[i]));
+    return keeper.parts;
+}
+
+TEST(RigPlain, LightsThatArePassedOnAreThoseThatAreKept) {
+    std::mt19937 random(5);
+    std::string all;
+    for (int i = 0; i < 120000; ++i) {
+        if (i > 0) all += ",\n";
+        if (i % 501 == 7 && random() % 2 == 0)
+            all += lights[random() % lights.size()];
+        else
+            all += fmt::format(R"({{"shape":"point","intensity":"{}lm","position":[{},-{},9],"dimming":0.{}}})",
+                               random() % 4000, random() % 1000, random() % 1000, random() % 10);
+    }
+    const std::string first(luminaires);
+    EXPECT_GT(parts_of_stream(rig_of(all, first)), 2U);
+    EXPECT_GT(parts_of_stream(rig_of(all, first + R"("maintenance":0.7,)")), 2U);
+    // The factor comes too late for lights that were passed on: they come again, all at once.
+    std::string late = rig_of(all, first);
+    late.insert(late.size() - 1, R"(,"maintenance":0.7)");
+    EXPECT_EQ(parts_of_stream(late), 1U);
+    // A light without an intensity is refused when it is resolved, and a key that is wrong when it is read.
+    EXPECT_EQ(parts_of_stream(rig_of(all + R"(,{"shape":"point"})", first)), 0U);
+    EXPECT_EQ(parts_of_stream(rig_of(R"({"shape":"point"},)" + all + R"(,{"shame":"point"})", first)), 0U);
 }
 
 } // namespace
