@@ -1,5 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_parts.hpp>
+#include <gonio/light/luminaire.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/scene/detail/light_resolver.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/rig.hpp>
@@ -100,10 +102,11 @@ Result<std::vector<Light>> LightResolver::resolve(std::span<LightDescription> de
     };
     const auto at = [&](const Error& error, std::size_t i) { return placed(error, source_, place(i)).value(); };
 
+    make_bodies(descriptions, first_light);
     prototypes_.resize(known_before + first_light.size());
     std::vector<Diagnostics> noticed_in_webs(first_light.size());
     parallel_for(first_light.size(), threads_, [&](std::size_t e) {
-        Result<Light> light = resolve_light(descriptions[first_light[e]], noticed_in_webs[e]);
+        Result<Light> light = resolve_light(descriptions[first_light[e]], noticed_in_webs[e], bodies_);
         if (light)
             prototypes_[known_before + e] = std::move(*light);
         else
@@ -130,6 +133,21 @@ Result<std::vector<Light>> LightResolver::resolve(std::span<LightDescription> de
     for (Diagnostics& list : noticed)
         std::move(list.begin(), list.end(), std::back_inserter(noticed_));
     return lights;
+}
+
+// Of the openings that these lights have and no light before them.
+void LightResolver::make_bodies(std::span<const LightDescription> lights, std::span<const std::size_t> of) {
+    std::vector<std::pair<const Web*, const Opening*>> missing;
+    for (const std::size_t light : of) {
+        const auto* const profile = std::get_if<ProfileShape>(&lights[light].shape);
+        const Opening* const opening = profile != nullptr ? profile->opening() : nullptr;
+        if (opening == nullptr || opening->shape == OpeningShape::point) continue;
+        if (bodies_.try_emplace({profile->web.get(), opening}).second)
+            missing.emplace_back(profile->web.get(), opening);
+    }
+    parallel_for(missing.size(), threads_, [&](std::size_t i) {
+        bodies_.find(missing[i])->second = opening_body(*missing[i].second, *missing[i].first);
+    });
 }
 
 Diagnostics LightResolver::noticed() {

@@ -3,6 +3,7 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/light/luminaire.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -36,6 +37,8 @@ private:
     using Emitter = std::tuple<std::size_t, std::vector<double>, const void*, const Opening*, std::string_view, double,
                                double, double, double>;
 
+    void make_bodies(std::span<const LightDescription> lights, std::span<const std::size_t> of);
+
     static std::optional<Emitter> emitter_of(const LightDescription& light);
 
     const std::string& source_;
@@ -43,6 +46,7 @@ private:
     // The flux and the peak of a web need a pass over it: lights with the same emission share one.
     std::map<Emitter, std::size_t> known_;
     std::vector<Light> prototypes_; // of each kind of emitter
+    OpeningBodies bodies_;          // of their openings
     Diagnostics noticed_in_webs_;
     Diagnostics noticed_;
 };
