@@ -180,7 +180,9 @@ private:
             std::vector<detail::PlainPiece> pieces(ends.size());
             parallel_for(pieces.size(), threads_, [&](std::size_t p) {
                 const std::size_t begin = p == 0 ? element : detail::likely_element(text_, ends[p - 1], ends[p]);
-                if (begin < ends[p]) pieces[p] = detail::read_plain(text_, begin, ends[p], known_);
+                // What begins at a wrong place could go on to the end of the text.
+                const std::string_view text = p == 0 ? text_ : text_.substr(0, ends[p] + bytes);
+                if (begin < ends[p]) pieces[p] = detail::read_plain(text, begin, ends[p], known_);
             });
             for (std::size_t p = 0; p < pieces.size(); ++p) {
                 if (element >= ends[p]) continue; // one before it is longer than this piece

@@ -15,6 +15,7 @@ namespace gonio::detail {
 
 namespace {
 
+constexpr std::string_view json_blanks = " \t\r\n";
 constexpr double farthest = 1e100; // [m], as in rig_values
 
 // A place in the text. Where a function returns false or nothing, the text is not plain there.
@@ -341,9 +342,11 @@ std::size_t likely_element(std::string_view rig, std::size_t from, std::size_t e
     constexpr std::size_t usual_gap = 64; // the element before may have ended in front of `from`
     for (std::size_t at = from - std::min(from, usual_gap); at < end; ++at) {
         if (rig[at] != '}') continue;
-        Cursor after(rig, at + 1);
-        if (!after.skip_blanks() || !after.take(',') || !after.skip_blanks() || !after.is_at('{')) continue;
-        if (after.offset() >= from) return std::min(after.offset(), end);
+        // Without comments: looking for the end of each would take too long where there are many that have none.
+        const std::size_t comma = std::min(rig.find_first_not_of(json_blanks, at + 1), rig.size());
+        if (comma == rig.size() || rig[comma] != ',') continue;
+        const std::size_t next = std::min(rig.find_first_not_of(json_blanks, comma + 1), rig.size());
+        if (next < rig.size() && rig[next] == '{' && next >= from) return std::min(next, end);
     }
     return end;
 }

@@ -277,7 +277,9 @@ TEST(LightTree, NearLightsComeBeforeTheSearchEnds) {
             });
             EXPECT_LE(calls, 1);
         }
-        if (count == 700) EXPECT_LT(visited, trials * count / 5);
+        if (count == 700) {
+            EXPECT_LT(visited, trials * count / 5);
+        }
     }
 }
 

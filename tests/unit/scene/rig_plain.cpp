@@ -279,10 +279,11 @@ TEST(RigPlain, ManyLightsAreThoseOfTheirValuesAtAnyNumberOfThreads) {
         else if (i == 20000)
             all += fmt::format(R"({{"name":"{}","shape":"point","intensity":"1lm"}})", std::string(600'000, '}'));
         else
-            all +=
-                fmt::format(R"({{{}"shape":"point","intensity":"{}lm","color":"{}K","position":[{}.{},-{},{}e-2]}})",
-                            i % 3 == 0 ? fmt::format(R"("name":"lamp }}, {{ {}",)", i) : "", random() % 4000,
-                            random() % 40 * 100 + 2500, random() % 1000, random() % 1000, random() % 500, random() % 9);
+            all += fmt::format(R"({{{}"shape":"point","intensity":"{}lm","color":"{}K","position":[{}.{},-{},{}e-2]}})",
+                               i % 3 == 0 ? fmt::format(R"("name":"lamp }}, {{ {} {}",)", i, i % 2 == 0 ? "[[[" : "/*")
+                                          : "",
+                               random() % 4000, random() % 40 * 100 + 2500, random() % 1000, random() % 1000,
+                               random() % 500, random() % 9);
     }
     const std::string text = rig_of(all, luminaires);
     const Result<Rig> expected = by_values(text);

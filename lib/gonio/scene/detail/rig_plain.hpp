@@ -52,7 +52,8 @@ struct PlainPiece {
 // The first element in an array of objects, from its opening bracket on; nothing if it is not one, or empty.
 std::optional<std::size_t> first_element(std::string_view rig, std::size_t bracket);
 
-// A place from `from` on, before `end`, that looks like the start of an element that is not the first; `end` if none.
+// A place from `from` on, before `end`, that looks like the start of an element with nothing but blanks and a comma
+// between it and the one before; `end` if none.
 std::size_t likely_element(std::string_view rig, std::size_t from, std::size_t end);
 
 // The elements that begin at `begin`, where one does, or after it, and before `end`.
