@@ -41,8 +41,8 @@
 // light; the defaults are those of LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum
 // are relative to the rig's folder and must be regular files under it, symbolic links resolved, unless RigReadOptions
 // allows others; a profile is read once and shared by every light that names it. The JSON is read as a stream: memory
-// grows only with the lights (about 0.8 kB each with resolving); nesting and the size of one light are limited. Points
-// take 1.5 µs each with resolving, and 0.9 µs by stream_rig_file(). rig.schema.json beside this is the schema for editors.
+// grows only with the lights (about 0.8 kB each with resolving); nesting and the size of one light are limited. A
+// million points take 1.5 s with resolving, and 0.9 s by stream_rig_file(). rig.schema.json is the schema for editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0106]: lights[3].shape: …", or without line and column
 // where values contradict each other or a light cannot be resolved. malformed: JSON, an unknown key, a wrong type, a
