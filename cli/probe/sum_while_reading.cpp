@@ -58,13 +58,16 @@ private:
 
 } // namespace
 
-bool sum_while_reading(const Arguments& arguments, ProbeRequest& request) {
+Result<bool> sum_while_reading(const Arguments& arguments, ProbeRequest& request) {
     const auto rig_file = arguments.value("--rig");
     if (!rig_file || !given_light_option(arguments).empty() || !arguments.positional().empty()) return false;
-    if (!asks_for_sums(arguments, request) || size_of_file(*rig_file) < least_bytes) return false;
+    if (*rig_file == "-" || !asks_for_sums(arguments, request) || size_of_file(*rig_file) < least_bytes) return false;
     Summer summer(request);
     Diagnostics said;
-    const Result<Rig> rig = stream_rig_file(*rig_file, rig_read_options(arguments), summer, said);
+    Result<Rig> rig = stream_rig_file(*rig_file, rig_read_options(arguments), summer, said);
+    // With its line it is a mistake in the text, which the usual way would come to first, too.
+    if (!rig && !rig.error().diagnostics.empty() && rig.error().diagnostics.back().location.line > 0)
+        return pass_on(rig);
     if (!rig || rig->sky || !rig->emits.empty()) return false;
     if (rig->stage && !emissive_lights(*rig).value_or(std::vector<LightDescription>(1)).empty()) return false;
     std::optional<SummedLight> summed = summer.result();
