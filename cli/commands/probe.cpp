@@ -61,7 +61,6 @@ constexpr std::array examples{
 };
 
 constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // shares of lights held at a time
-constexpr std::size_t points_at_once = std::size_t{1} << 16;
 
 // The stage's shadows on the share of each light, the light of the sky, and what the stage reflects.
 void add_stage_light(const ReceiverLight& on_stage, const ProbeRequest& request, ProbeStretch& stretch) {
@@ -162,6 +161,14 @@ Result<void> evaluate(const ProbeRequest& request, const std::optional<ReceiverL
     return on_stage ? add_spatial_stage_light(*on_stage, request, kind, stretch) : Result<void>();
 }
 
+// The values of lights that were summed up while they were read.
+ProbeStretch summed_stretch(const ProbeRequest& request) {
+    ProbeStretch stretch;
+    stretch.receivers = request.points.receivers;
+    stretch.by_method.push_back(request.summed->result);
+    return stretch;
+}
+
 // How many surfaces stand for one point.
 std::size_t surfaces_per_point(const ProbeRequest& request) {
     return request.is_planar() ? 1 : surfaces_of(request.kind, {1.0, 0.0, 0.0}).size();
@@ -189,7 +196,11 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
     const std::size_t at_once =
         std::clamp<std::size_t>(numbers_at_once / std::max<std::size_t>(numbers, 1), 1, points_at_once);
     const std::span<const Receiver> receivers = request->points.receivers;
-    for (std::size_t first = 0; first < receivers.size(); first += at_once) {
+    if (request->summed) {
+        report.begin();
+        report.add(summed_stretch(*request));
+    }
+    for (std::size_t first = 0; first < receivers.size() && !request->summed; first += at_once) {
         ProbeStretch stretch;
         stretch.first = first;
         stretch.receivers = receivers.subspan(first, std::min(at_once, receivers.size() - first));
@@ -209,8 +220,8 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
     report.end(request->diagnostics);
     if (request->drawing)
         if (Result<void> drawn = report.draw(request->diagnostics); !drawn) return pass_on(drawn);
-    console.remark(fmt::format("{} points under {} lights in {:.1f} ms", receivers.size(), request->lights.size(),
-                               evaluation.milliseconds()));
+    console.remark(fmt::format("{} points under {} lights in {:.1f} ms", receivers.size(), request->light_count(),
+                               request->summed ? request->summed->milliseconds : evaluation.milliseconds()));
     console.say(request->diagnostics);
     return report.has_failed() ? 1 : 0;
 }

@@ -1,6 +1,7 @@
 #include "rig_input.hpp"
 
 #include "light_input.hpp"
+#include "values.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,11 @@
 namespace gonio::cli {
 
 RigReadOptions rig_read_options(const Arguments& arguments) {
-    return {arguments.has("--allow-outside"), "add --allow-outside if you trust the rig"};
+    RigReadOptions options;
+    options.allow_outside = arguments.has("--allow-outside");
+    options.outside_hint = "add --allow-outside if you trust the rig";
+    if (arguments.offers("--jobs")) options.threads = thread_count(arguments).value_or(0); // refused elsewhere
+    return options;
 }
 
 Result<LightsInput> rig_input(const std::string& rig_file, const Arguments& arguments) {

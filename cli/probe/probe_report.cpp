@@ -33,7 +33,6 @@ bool face_up(std::span<const Receiver> receivers) {
 }
 
 constexpr std::size_t points_listed = 100; // as text; more are summarised
-constexpr std::size_t lights_listed = 32;
 
 // Shown of a grid: the share of the points that is not brighter.
 struct Percentile {
@@ -250,7 +249,7 @@ void ProbeReport::add(const ProbeStretch& stretch) {
 }
 
 void ProbeReport::end(Diagnostics& diagnostics) {
-    const Diagnostics said = to_diagnostics(remarks_, request_.lights);
+    const Diagnostics said = to_diagnostics(remarks_, request_.summed ? request_.summed->remarked : request_.lights);
     diagnostics.insert(diagnostics.end(), said.begin(), said.end());
     judge();
     add_glare_remarks(lacks_rating_, has_too_large_, diagnostics);
@@ -294,7 +293,7 @@ bool ProbeReport::listed() const {
 }
 
 bool ProbeReport::lights_listed_too() const {
-    return request_.lights.size() > 1 && request_.lights.size() <= lights_listed && !request_.compare;
+    return request_.light_count() > 1 && request_.light_count() <= lights_listed && !request_.compare;
 }
 
 void ProbeReport::note_error(const ProbeResult& result) {

@@ -10,6 +10,7 @@
 #include "../options/rig_input.hpp"
 #include "../options/values.hpp"
 #include "../preview/stage_input.hpp"
+#include "sum_while_reading.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +61,9 @@ void turn_receivers(ProbeRequest& request) {
 }
 
 Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
+    Result<bool> summed = sum_while_reading(arguments, request);
+    if (!summed) return pass_on(summed);
+    if (*summed) return {};
     LightPlacement placement{glm::dvec3(0.0)};
     if (const auto name = arguments.value("--stage")) {
         Result<Stage> stage = make_stage(*name);

@@ -60,11 +60,23 @@ inline constexpr std::array probe_report_options{
     Option{"--to", "FORMAT", "svg or an 8-bit picture format, if the file name does not show it (svg)", "images"},
 };
 
+inline constexpr std::size_t lights_listed = 32;                    // at most, each with its share
+inline constexpr std::size_t points_at_once = std::size_t{1} << 16; // whose values are held at a time
+
+// The light of lights that were not kept.
+struct SummedLight {
+    ProbeResult result;
+    std::vector<Light> remarked; // the lights that the remarks of the result count
+    std::size_t count = 0;       // of all lights
+    double milliseconds = 0.0;   // that the sum took
+};
+
 enum class ProbeForm { text, json, json_line, csv };
 
 struct ProbeRequest {
     std::string rig; // empty: one light from options
     std::vector<Light> lights;
+    std::optional<SummedLight> summed; // instead of lights
     Diagnostics diagnostics;
     Points points;
     std::vector<IrradianceMethod> methods; // one, or those compared, with the reference first
@@ -78,6 +90,8 @@ struct ProbeRequest {
     ProbeForm form = ProbeForm::text;
     IlluminanceKind kind = IlluminanceKind::planar;
     std::optional<GridDrawing> drawing;
+
+    std::size_t light_count() const { return summed ? summed->count : lights.size(); }
 
     // Whether the kind is the illuminance of a flat surface, with the receivers' normals.
     bool is_planar() const { return kind <= IlluminanceKind::vertical; }

@@ -1,6 +1,7 @@
 // libFuzzer: for any bytes, the rig reader does not crash and allocates no memory for items that are only announced; a
 // failure is one error that names the source; a rig that is read resolves or fails with an error, and is the same when
-// read again, also with its groups and arrays expanded.
+// read again, also with its groups and arrays expanded. Both ways of reading give the same rig or the same message.
+#include <gonio/scene/detail/rig_reader.hpp>
 #include <gonio/scene/rig.hpp>
 
 #include <cstdint>
@@ -26,10 +27,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // targets.
     const std::string folder = "no such folder";
     Result<Rig> rig = read_rig(text, "fuzz.json", folder);
+    const Result<Rig> by_values = detail::read_rig_by_values(text, "fuzz.json", folder);
+    if (rig.has_value() != by_values.has_value()) std::abort();
     if (!rig) {
         check_failure(rig.error());
+        if (to_text(rig.error().diagnostics.back()) != to_text(by_values.error().diagnostics.back())) std::abort();
         return 0;
     }
+    if (rig->lights.size() != by_values->lights.size()) std::abort();
+    for (std::size_t i = 0; i < rig->lights.size(); ++i)
+        if (rig->lights[i].name != by_values->lights[i].name ||
+            rig->lights[i].position != by_values->lights[i].position)
+            std::abort();
     const Result<Rig> again = read_rig(text, "fuzz.json", folder);
     if (!again || again->lights.size() != rig->lights.size() || again->materials.size() != rig->materials.size())
         std::abort();

@@ -37,10 +37,17 @@ Result<std::size_t> check_readable(int fd, const std::string& path) {
 Result<std::string> read_all(int fd, const std::string& name, const Limit& most, std::size_t size) {
     std::string bytes;
     std::size_t used = 0;
-    std::size_t step = std::size_t{64} << 10;
-    if (size > 0) step = std::min(size + 1, std::size_t{16} << 20);
+    // Reserved memory is not used until bytes are there, and nothing is copied. With room for a byte more the end is
+    // seen without another step.
+    if (size > 0) bytes.reserve(std::min(size, most.value) + 1);
+    constexpr std::size_t least_step = std::size_t{64} << 10;
+    constexpr std::size_t greatest_step = std::size_t{1} << 20; // what resize() clears is still in the cache
     for (;;) {
-        if (used == bytes.size()) bytes.resize(used + std::max(step, used));
+        if (used == bytes.size()) {
+            const std::size_t step = std::max(least_step, used);
+            bytes.resize(used < bytes.capacity() ? std::min(used + std::min(step, greatest_step), bytes.capacity())
+                                                 : used + step);
+        }
         const ssize_t got = ::read(fd, bytes.data() + used, bytes.size() - used);
         if (got < 0) {
             if (errno == EINTR) continue;
@@ -63,6 +70,11 @@ Result<std::string> read_file(const std::string& path, const Limit& most) {
     Result<std::size_t> size = check_readable(file.get(), path);
     if (!size) return pass_on(size);
     return read_all(file.get(), path, most, *size);
+}
+
+std::size_t size_of_file(const std::string& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 ? known_size(status) : 0;
 }
 
 Result<std::string> read_file_start(const std::string& path, std::size_t count) {

@@ -15,7 +15,8 @@ namespace gonio {
 inline constexpr const Limit& largest_file = limit("file-bytes");
 
 // The bytes of a file (or of a pipe or device, to its end). Fails (io) on a folder, if it cannot be opened or read, and
-// on more bytes than the limit. Memory is allocated only for bytes that have been read, not for an announced size.
+// on more bytes than the limit. Memory is used only for bytes that have been read; for those of a regular file it is
+// reserved, up to the limit.
 Result<std::string> read_file(const std::string& path, const Limit& most = largest_file);
 
 // The first `count` bytes of a file, or as many as it has. Fails as read_file does.
@@ -34,6 +35,9 @@ void hold_standard_descriptors();
 
 // Whether something exists at `path` (links followed).
 bool file_exists(const std::string& path);
+
+// The bytes that the system states for a regular file; 0 for anything else.
+std::size_t size_of_file(const std::string& path);
 
 // The same text for two paths if and only if they name the same regular file, or would once it exists: hard and
 // symbolic links, "a" and "./a". Empty for a folder, a device or a pipe.

@@ -65,7 +65,7 @@ Diagnostic described(std::string_view text, const std::string& source, std::size
     return diagnostic;
 }
 
-// The bytes of the text; `read` is behind the last one that was taken.
+// A place in the text that is stored elsewhere, where it may be moved on. The place of the text's end does not move.
 class Bytes {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -74,23 +74,17 @@ public:
     using pointer = const char*;
     using reference = const char&;
 
-    Bytes(const char* at, const char** read) : at_(at), read_(read) {}
-    reference operator*() const { return *at_; }
+    explicit Bytes(const char** at) : at_(at) {}
+    reference operator*() const { return **at_; }
     Bytes& operator++() {
-        *read_ = ++at_;
+        ++*at_;
         return *this;
     }
-    Bytes operator++(int) {
-        Bytes before = *this;
-        ++*this;
-        return before;
-    }
-    bool operator==(const Bytes& other) const { return at_ == other.at_; }
-    bool operator!=(const Bytes& other) const { return at_ != other.at_; }
+    bool operator==(const Bytes& other) const { return *at_ == *other.at_; }
+    bool operator!=(const Bytes& other) const { return *at_ != *other.at_; }
 
 private:
-    const char* at_;
-    const char** read_;
+    const char** at_;
 };
 
 // nlohmann's events as ours.
@@ -139,8 +133,9 @@ void read_json(std::string_view text, const std::string& source, bool comments, 
     handler.read_ = text.data();
     Events events(text, source, handler);
     constexpr bool strict = true;
-    nlohmann::json::sax_parse(Bytes(text.data(), &handler.read_), Bytes(text.data() + text.size(), &handler.read_),
-                              &events, nlohmann::json::input_format_t::json, strict, comments);
+    const char* end = text.data() + text.size();
+    nlohmann::json::sax_parse(Bytes(&handler.read_), Bytes(&end), &events, nlohmann::json::input_format_t::json, strict,
+                              comments);
 }
 
 } // namespace gonio::detail

@@ -37,6 +37,10 @@ protected:
     std::size_t bytes_read() const { return static_cast<std::size_t>(read_ - text_.data()); }
     Location place_at(std::size_t offset) const;
 
+    // Within the event of an opening bracket: goes on at this byte, which is behind it. The places of what follows are
+    // right, but for that of broken().
+    void skip_to(std::size_t offset) { read_ = text_.data() + offset; }
+
 private:
     friend void read_json(std::string_view text, const std::string& source, bool comments, JsonHandler& handler);
 

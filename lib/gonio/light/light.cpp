@@ -87,6 +87,10 @@ bool Light::has_pattern() const {
 }
 
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics) {
+    return resolve_light(std::move(description), diagnostics, {});
+}
+
+Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics, const OpeningBodies& known) {
     if (!finite(description.position)) return fail("USE0106", "a light's position must be finite");
     if (!finite(description.direction) || !(glm::length(description.direction) > 0.0))
         return fail("USE0106", "a light's direction must be finite and not zero");
@@ -118,7 +122,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
                         class_of(light.shape) == ShapeClass::sun ? "for example 100klx" : "for example 800lm");
         light.intensity = peak(*profile->web).intensity * description.level;
         light.web_scale = description.level;
-        give_body(light, diagnostics);
+        give_body(light, diagnostics, known);
         if (Result<void> placed = place_parts(light); !placed) return pass_on(placed);
         return light;
     }
@@ -132,7 +136,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     if (mask.web != nullptr) light.web_scale = 1.0 / peak(*mask.web).intensity.value;
     if (mask.image != nullptr) light.image = mask.image->luminance();
     if (Result<void> checked = check_amount(light); !checked) return pass_on(checked);
-    give_body(light, diagnostics);
+    give_body(light, diagnostics, known);
     if (Result<void> placed = place_parts(light); !placed) return pass_on(placed);
     return light;
 }

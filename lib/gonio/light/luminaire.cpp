@@ -25,7 +25,14 @@ double intensity_over_luminance(const LuminousFace& face) {
 
 } // namespace
 
-void give_body(Light& light, Diagnostics& diagnostics) {
+OpeningBody opening_body(const Opening& opening, const Web& web) {
+    std::optional<LuminousBody> body = LuminousBody::of(opening, web);
+    if (!body) return {};
+    const double behind = body->flux_behind().value / flux(web).value;
+    return {std::make_shared<const LuminousBody>(std::move(*body)), behind};
+}
+
+void give_body(Light& light, Diagnostics& diagnostics, const OpeningBodies& known) {
     const auto* const profile = std::get_if<ProfileShape>(&light.shape);
     const Opening* const opening = profile != nullptr ? profile->opening() : nullptr;
     if (opening == nullptr) return;
@@ -43,17 +50,18 @@ void give_body(Light& light, Diagnostics& diagnostics) {
     if (opening->largest_m() > largest_usual_m)
         say("RES0405", fmt::format("the luminous opening is very large: {}", to_text(*opening)),
             "name another one: ies:FILE,opening=rect:w=1.2m,h=0.3m");
-    std::optional<LuminousBody> body = LuminousBody::of(*opening, *profile->web);
-    if (!body) return; // dark
-    const double behind = body->flux_behind().value / flux(*profile->web).value;
+    const auto found = known.find({profile->web.get(), opening});
+    const OpeningBody of_light = found != known.end() ? found->second : opening_body(*opening, *profile->web);
+    const std::shared_ptr<const LuminousBody>& body = of_light.body;
+    if (body == nullptr) return;
     constexpr double noticeable = 0.01;
-    if (behind > noticeable && is_asked_for)
+    if (of_light.behind > noticeable && is_asked_for)
         say("RES0406",
             fmt::format("{:.3g} lm, {:.3g} % of the light, leave through the back of a flat opening: it emits to both "
                         "sides",
-                        light.web_scale * body->flux_behind().value, 100.0 * behind),
+                        light.web_scale * body->flux_behind().value, 100.0 * of_light.behind),
             "if the luminaire shines from its sides, name its body: ies:FILE,opening=box:w=1.2m,h=0.3m,d=0.1m");
-    light.body = std::make_shared<const LuminousBody>(std::move(*body));
+    light.body = body;
 }
 
 std::vector<Light> faces_of(const Light& light) {

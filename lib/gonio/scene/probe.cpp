@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -98,6 +100,18 @@ bool is_near_opening(const Light& light, const glm::dvec3& position) {
     return size_m > 0.0 && glm::distance(position, light.frame.origin) < 5.0 * size_m;
 }
 
+// All but `unseen`, which is about receivers alone.
+std::array<ProbeOccurrence*, 5> occurrences_of_lights(ProbeRemarks& remarks) {
+    return {&remarks.on_light, &remarks.inside, &remarks.near_point, &remarks.at_ceiling, &remarks.not_converged};
+}
+
+std::vector<std::size_t> lights_of(ProbeRemarks remarks) {
+    std::vector<std::size_t> lights;
+    for (const ProbeOccurrence* const each : occurrences_of_lights(remarks))
+        if (each->count > 0) lights.push_back(each->light);
+    return lights;
+}
+
 // Each share is limited to the ceiling separately.
 bool at_ceiling(double value) {
     return value >= shading::illuminance_ceiling;
@@ -150,87 +164,199 @@ std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector) {
     return scaled / glm::length(scaled);
 }
 
+// The lights that were added, by whole blocks and the block that is not full yet.
+class ProbeSum::Implementation {
+public:
+    static Result<std::unique_ptr<Implementation>> of(std::span<const Receiver> receivers,
+                                                      const ProbeOptions& options) {
+        auto made = std::make_unique<Implementation>();
+        made->options_ = options;
+        made->receivers_.assign(receivers.begin(), receivers.end());
+        made->normals_.reserve(receivers.size());
+        for (std::size_t i = 0; i < receivers.size(); ++i) {
+            const std::optional<glm::dvec3> normal = unit_vector(receivers[i].normal);
+            if (!normal) return fail("USE0106", fmt::format("the normal of point {} is zero or not finite", i + 1));
+            if (!in_range(receivers[i].position))
+                return fail("USE0106", fmt::format("the position of point {} is out of range", i + 1),
+                            fmt::format("coordinates reach to {} m", farthest));
+            made->normals_.push_back(*normal);
+        }
+        made->full_.resize(receivers.size());
+        made->open_.resize(receivers.size());
+        return made;
+    }
+
+    // After the lights, in the order of what probe() reports.
+    Result<void> look() {
+        if (!options_.view) return {};
+        Result<std::vector<glm::dvec3>> found = views_of(*options_.view, receivers_);
+        if (!found) return pass_on(found);
+        views_ = std::move(*found);
+        if (!detail::has_luminance(options_.view->material, options_.method))
+            return fail(Failure::unsupported,
+                        fmt::format("the method '{}' does not compute the luminance of this material",
+                                    to_text(options_.method)),
+                        "use the method exact or reference, or another material");
+        return {};
+    }
+
+    // `parts`: of these lights alone; nullptr: not wanted.
+    void add(std::span<const Light> lights, ProbeResult* parts) {
+        if (receivers_.empty() || lights.empty()) {
+            lights_ += lights.size();
+            return;
+        }
+        // A task is one block of lights for a few receivers; the sums of blocks are added in order afterwards. The
+        // first block goes on with the one that was not full.
+        const std::size_t in_open = lights_ % lights_in_block;
+        const std::size_t blocks = (in_open + lights.size() - 1) / lights_in_block + 1;
+        const std::size_t group = std::clamp<std::size_t>(lights_in_block / lights.size(), 1, 1024);
+        const std::size_t groups = (receivers_.size() - 1) / group + 1;
+        std::vector<Sums> sums(receivers_.size() * blocks);
+        std::vector<ProbeRemarks> remarks(groups * blocks);
+        parallel_for(groups * blocks, options_.threads, [&](std::size_t task) {
+            const std::size_t block = task % blocks;
+            const std::size_t first = task / blocks * group;
+            const std::size_t first_light = block == 0 ? 0 : block * lights_in_block - in_open;
+            const std::size_t last_light = std::min(lights.size(), (block + 1) * lights_in_block - in_open);
+            for (std::size_t r = first; r < std::min(receivers_.size(), first + group); ++r) {
+                Sums& sum = sums[r * blocks + block];
+                if (block == 0) sum = open_[r];
+                for (std::size_t l = first_light; l < last_light; ++l)
+                    add(lights, l, r, sum, remarks[task], parts);
+            }
+        });
+        lights_ += lights.size();
+        const bool is_open = lights_ % lights_in_block != 0;
+        for (std::size_t r = 0; r < receivers_.size(); ++r) {
+            for (std::size_t block = 0; block + (is_open ? 1 : 0) < blocks; ++block)
+                full_[r].add(sums[r * blocks + block]);
+            open_[r] = is_open ? sums[(r + 1) * blocks - 1] : Sums();
+        }
+        for (const ProbeRemarks& of_task : remarks)
+            remarks_.add(of_task);
+    }
+
+    ProbeResult result() const {
+        ProbeResult result;
+        const bool has_error = options_.method == IrradianceMethod::reference;
+        const bool surface = options_.view.has_value();
+        result.illuminance_lx.reserve(receivers_.size());
+        result.remarks = remarks_;
+        for (std::size_t r = 0; r < receivers_.size(); ++r) {
+            Sums sum = full_[r];
+            if (lights_ % lights_in_block != 0) sum.add(open_[r]);
+            result.illuminance_lx.push_back(sum.illuminance_lx);
+            if (has_error) result.illuminance_error_lx.push_back(sum.error_lx);
+            if (surface) result.luminance.push_back(sum.luminance);
+            if (surface && lights_ > 0 && !(glm::dot(normals_[r], views_[r]) > 0.0))
+                result.remarks.unseen.add({1, r, 0});
+        }
+        return result;
+    }
+
+    std::size_t lights() const { return lights_; }
+    std::size_t receivers() const { return receivers_.size(); }
+    const ProbeRemarks& remarks() const { return remarks_; }
+
+    std::map<std::size_t, Light> remarked; // the lights of remarks(), by their number
+
+private:
+    // One light at one receiver.
+    void add(std::span<const Light> lights, std::size_t l, std::size_t r, Sums& sum, ProbeRemarks& remarks,
+             ProbeResult* parts) const {
+        const Light& light = lights[l];
+        const detail::ProbeWay way{options_.method, options_.goal};
+        const glm::dvec3& position = receivers_[r].position;
+        const detail::ProbeShare share = detail::illuminance_of(light, position, normals_[r], way);
+        const bool surface = options_.view.has_value();
+        detail::ProbeShine shine;
+        if (surface)
+            shine =
+                detail::luminance_of(light, position, normals_[r], {options_.view->material, views_[r]}, share, way);
+        sum.add({share.illuminance_lx, share.error_lx, shine.luminance});
+        if (parts != nullptr) parts->parts_lx[r * lights.size() + l] = share.illuminance_lx;
+        if (parts != nullptr && surface) parts->parts_nt[r * lights.size() + l] = shine.luminance;
+        const ProbeOccurrence here{1, r, lights_ + l};
+        if (share.remark == detail::ProbeRemark::at_light) remarks.on_light.add(here);
+        if (share.remark == detail::ProbeRemark::inside) remarks.inside.add(here);
+        if (is_near_opening(light, position)) remarks.near_point.add(here);
+        if (at_ceiling(share.illuminance_lx) || at_ceiling(shine.luminance.diffuse.value) ||
+            at_ceiling(shine.luminance.specular.value))
+            remarks.at_ceiling.add(here);
+        if (!share.converged || !shine.converged) remarks.not_converged.add(here);
+    }
+
+    ProbeOptions options_;
+    std::vector<Receiver> receivers_;
+    std::vector<glm::dvec3> normals_; // unit, and so are the views
+    std::vector<glm::dvec3> views_;
+    std::vector<Sums> full_; // of each receiver
+    std::vector<Sums> open_;
+    std::size_t lights_ = 0;
+    ProbeRemarks remarks_;
+};
+
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
                           const ProbeOptions& options) {
-    std::vector<glm::dvec3> normals;
-    normals.reserve(receivers.size());
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-        const std::optional<glm::dvec3> normal = unit_vector(receivers[i].normal);
-        if (!normal) return fail("USE0106", fmt::format("the normal of point {} is zero or not finite", i + 1));
-        if (!in_range(receivers[i].position))
-            return fail("USE0106", fmt::format("the position of point {} is out of range", i + 1),
-                        fmt::format("coordinates reach to {} m", farthest));
-        normals.push_back(*normal);
-    }
+    Result<std::unique_ptr<ProbeSum::Implementation>> sum = ProbeSum::Implementation::of(receivers, options);
+    if (!sum) return pass_on(sum);
     if (Result<void> checked = check_lights(lights); !checked) return pass_on(checked);
-    std::vector<glm::dvec3> views;
-    if (options.view) {
-        Result<std::vector<glm::dvec3>> found = views_of(*options.view, receivers);
-        if (!found) return pass_on(found);
-        views = std::move(*found);
-        if (!detail::has_luminance(options.view->material, options.method))
-            return fail(
-                Failure::unsupported,
-                fmt::format("the method '{}' does not compute the luminance of this material", to_text(options.method)),
-                "use the method exact or reference, or another material");
-    }
-    const bool surface = options.view.has_value();
-
-    ProbeResult result;
-    result.illuminance_lx.resize(receivers.size());
-    if (options.method == IrradianceMethod::reference) result.illuminance_error_lx.resize(receivers.size());
-    if (options.parts) result.parts_lx.resize(receivers.size() * lights.size());
-    if (surface) result.luminance.resize(receivers.size());
-    if (surface && options.parts) result.parts_nt.resize(receivers.size() * lights.size());
-    if (receivers.empty() || lights.empty()) return result;
-
-    // A task is one block of lights for a few receivers; if there are several blocks, their sums are added in order
-    // afterwards.
-    const std::size_t blocks = (lights.size() - 1) / lights_in_block + 1;
-    const std::size_t group = std::clamp<std::size_t>(lights_in_block / lights.size(), 1, 1024);
-    const std::size_t groups = (receivers.size() - 1) / group + 1;
-    std::vector<Sums> sums(receivers.size() * blocks);
-    std::vector<ProbeRemarks> remarks(groups * blocks);
-    const detail::ProbeWay way{options.method, options.goal};
-    parallel_for(groups * blocks, options.threads, [&](std::size_t task) {
-        const std::size_t block = task % blocks;
-        const std::size_t first = task / blocks * group;
-        const std::size_t last_light = std::min(lights.size(), (block + 1) * lights_in_block);
-        for (std::size_t r = first; r < std::min(receivers.size(), first + group); ++r) {
-            Sums sum;
-            for (std::size_t l = block * lights_in_block; l < last_light; ++l) {
-                const detail::ProbeShare share =
-                    detail::illuminance_of(lights[l], receivers[r].position, normals[r], way);
-                detail::ProbeShine shine;
-                if (surface)
-                    shine = detail::luminance_of(lights[l], receivers[r].position, normals[r],
-                                                 {options.view->material, views[r]}, share, way);
-                sum.add({share.illuminance_lx, share.error_lx, shine.luminance});
-                if (options.parts) result.parts_lx[r * lights.size() + l] = share.illuminance_lx;
-                if (surface && options.parts) result.parts_nt[r * lights.size() + l] = shine.luminance;
-                if (share.remark == detail::ProbeRemark::at_light) remarks[task].on_light.add({1, r, l});
-                if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add({1, r, l});
-                if (is_near_opening(lights[l], receivers[r].position)) remarks[task].near_point.add({1, r, l});
-                if (at_ceiling(share.illuminance_lx) || at_ceiling(shine.luminance.diffuse.value) ||
-                    at_ceiling(shine.luminance.specular.value))
-                    remarks[task].at_ceiling.add({1, r, l});
-                if (!share.converged || !shine.converged) remarks[task].not_converged.add({1, r, l});
-            }
-            sums[r * blocks + block] = sum;
-        }
-    });
-    for (std::size_t r = 0; r < receivers.size(); ++r) {
-        Sums sum;
-        for (std::size_t block = 0; block < blocks; ++block)
-            sum.add(sums[r * blocks + block]);
-        result.illuminance_lx[r] = sum.illuminance_lx;
-        if (!result.illuminance_error_lx.empty()) result.illuminance_error_lx[r] = sum.error_lx;
-        if (surface) result.luminance[r] = sum.luminance;
-        if (surface && !(glm::dot(normals[r], views[r]) > 0.0)) result.remarks.unseen.add({1, r, 0});
-    }
-    for (const ProbeRemarks& of_task : remarks)
-        result.remarks.add(of_task);
+    if (Result<void> looked = (*sum)->look(); !looked) return pass_on(looked);
+    ProbeResult parts;
+    if (options.parts) parts.parts_lx.resize(receivers.size() * lights.size());
+    if (options.parts && options.view) parts.parts_nt.resize(receivers.size() * lights.size());
+    (*sum)->add(lights, options.parts ? &parts : nullptr);
+    ProbeResult result = (*sum)->result();
+    result.parts_lx = std::move(parts.parts_lx);
+    result.parts_nt = std::move(parts.parts_nt);
     return result;
+}
+
+ProbeSum::ProbeSum(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+ProbeSum::ProbeSum(ProbeSum&& other) noexcept = default;
+ProbeSum& ProbeSum::operator=(ProbeSum&& other) noexcept = default;
+ProbeSum::~ProbeSum() = default;
+
+Result<ProbeSum> ProbeSum::of(std::span<const Receiver> receivers, const ProbeOptions& options) {
+    Result<std::unique_ptr<Implementation>> made = Implementation::of(receivers, options);
+    if (!made) return pass_on(made);
+    if (Result<void> looked = (*made)->look(); !looked) return pass_on(looked);
+    return ProbeSum(std::move(*made));
+}
+
+Result<void> ProbeSum::add(std::span<const Light> lights) {
+    if (Result<void> checked = check_lights(lights); !checked) return checked;
+    const std::size_t first = implementation_->lights();
+    implementation_->add(lights, nullptr);
+    std::map<std::size_t, Light>& remarked = implementation_->remarked;
+    const std::vector<std::size_t> wanted = lights_of(implementation_->remarks());
+    for (const std::size_t light : wanted)
+        if (light >= first) remarked.emplace(light, lights[light - first]);
+    std::erase_if(remarked, [&](const auto& known) {
+        return std::find(wanted.begin(), wanted.end(), known.first) == wanted.end();
+    });
+    return {};
+}
+
+std::size_t ProbeSum::lights() const {
+    return implementation_->lights();
+}
+
+ProbeResult ProbeSum::result() const {
+    ProbeResult result = implementation_->result();
+    const std::map<std::size_t, Light>& remarked = implementation_->remarked;
+    for (ProbeOccurrence* const each : occurrences_of_lights(result.remarks))
+        if (each->count > 0)
+            each->light = static_cast<std::size_t>(std::distance(remarked.begin(), remarked.find(each->light)));
+    return result;
+}
+
+std::vector<Light> ProbeSum::remarked() const {
+    std::vector<Light> lights;
+    for (const auto& [number, light] : implementation_->remarked)
+        lights.push_back(light);
+    return lights;
 }
 
 Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights) {

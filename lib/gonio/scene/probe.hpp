@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -125,6 +126,34 @@ struct ProbeResult {
 // by a method that does not support it.
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
                           const ProbeOptions& options = {});
+
+// probe() of lights that come a part at a time, and are not kept: the same values to the last bit.
+class ProbeSum {
+public:
+    // Without parts. Fails as probe() does on receivers and options.
+    static Result<ProbeSum> of(std::span<const Receiver> receivers, const ProbeOptions& options = {});
+
+    // The next lights, any number of them. Fails as probe() does on lights; what was added before still counts.
+    Result<void> add(std::span<const Light> lights);
+
+    std::size_t lights() const; // how many were added
+
+    // Of all lights so far. The remarks count lights among those that they remark upon: remarked().
+    ProbeResult result() const;
+    std::vector<Light> remarked() const;
+
+    ProbeSum(ProbeSum&& other) noexcept;
+    ProbeSum& operator=(ProbeSum&& other) noexcept;
+    ~ProbeSum();
+
+private:
+    friend Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
+                                     const ProbeOptions& options);
+
+    class Implementation;
+    explicit ProbeSum(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> implementation_;
+};
 
 // Warnings for receivers on a light, for values at the ceiling and for errors that were not reached; notes for
 // receivers inside a light and for views from below the surface. Points are numbered from 1.

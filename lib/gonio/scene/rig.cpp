@@ -3,9 +3,13 @@
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/nearest.hpp>
+#include <gonio/base/parallel.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/light_resolver.hpp>
 #include <gonio/scene/detail/rig_expand.hpp>
+#include <gonio/scene/detail/rig_plain.hpp>
+#include <gonio/scene/detail/rig_reader.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/detail/rig_values.hpp>
@@ -78,6 +82,35 @@ class Reader {
 public:
     Reader(std::string source, FileScope files) : files_(std::move(files)) { rig_.source = std::move(source); }
 
+    // Reads lights as PlainLight where it can. A failure says only that the other way is needed, for its message. With
+    // a sink, lights go there, resolved.
+    Result<Rig> read_plain(std::string_view text, unsigned threads, LightsSink* sink_of_lights = nullptr) {
+        is_plain_ = true;
+        lights_sink_ = sink_of_lights;
+        resolver_.emplace(rig_.source, threads);
+        text_ = text;
+        threads_ = threads;
+        const detail::RigSink sink{{},
+                                   [this](const std::string& key, const Json& json) -> Result<void> {
+                                       // The other way reads luminaires first, and reports what it notices in this
+                                       // order.
+                                       if (key == "luminaires" && !rig_.diagnostics.empty()) return other_way();
+                                       return member(key, json);
+                                   },
+                                   [this](std::size_t bracket) { return plain_lights(bracket); }};
+        Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
+        // Which colours are not remembered any more, and remarked upon again, depends on the order of all of them.
+        if (remarked_color_ && known_.colors.size() == most_remembered) return other_way();
+        Result<Rig> rig = finish(std::move(streamed));
+        if (!rig || lights_sink_ == nullptr) return rig;
+        if (Result<void> passed = pass_lights(rig->lights); !passed) return pass_on(passed);
+        rig->places.clear();
+        const Diagnostics noticed = resolver_->noticed();
+        rig->diagnostics.insert(rig->diagnostics.end(), noticed.begin(), noticed.end());
+        return rig;
+    }
+
+    // The way of values: every light as a tree of them, with the place of each mistake.
     Result<Rig> read(std::string_view text) {
         // Lights may stand before the luminaires that they name.
         constexpr std::string_view luminaires_key = R"("luminaires")";
@@ -85,7 +118,11 @@ public:
             if (Result<void> found = find_luminaires(text); !found) return pass_on(found);
         const detail::RigSink sink{[this](std::size_t index, const Json& json) { return lights(index, json); },
                                    [this](const std::string& key, const Json& json) { return member(key, json); }};
-        Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
+        return finish(detail::stream_rig(text, rig_.source, sink));
+    }
+
+private:
+    Result<Rig> finish(Result<void> streamed) {
         if (streamed && !schema_seen_)
             streamed = detail::rig_error("RIG0104", rig_.source, {}, "the key 'schema' is missing",
                                          fmt::format(R"(write "schema": "{}")", schema_name));
@@ -97,7 +134,6 @@ public:
         return std::move(rig_);
     }
 
-private:
     Unexpected refuse(RigCode code, std::string_view path, std::string message, std::string hint = {}) const {
         return detail::rig_error(code, rig_.source, path, std::move(message), std::move(hint));
     }
@@ -120,8 +156,86 @@ private:
         luminaires_ = std::move(*read);
         luminaires_seen_ = true;
         for (const auto& [name, luminaire] : luminaires_)
-            if (Result<LightDescription> sound = described(luminaire); !sound) return pass_on(sound);
+            if (Result<LightDescription> sound = described(luminaire))
+                known_.luminaires.emplace(name, std::move(*sound));
+            else
+                return pass_on(sound);
         return {};
+    }
+
+    static Unexpected other_way() { return fail(Failure::malformed, "the rig is read by its values"); }
+
+    // Reads the array from its opening bracket on, and returns where it ends.
+    Result<std::size_t> plain_lights(std::size_t bracket) {
+        const std::optional<std::size_t> first = detail::first_element(text_, bracket);
+        if (!first) return other_way();
+        known_.written_luminaires = &luminaires_;
+        constexpr std::size_t bytes = std::size_t{1} << 18U; // of a piece, some thousand lights
+        const std::size_t together = 4 * std::size_t{threads_ == 0 ? available_threads() : threads_};
+        std::size_t element = *first;
+        std::size_t index = 0;
+        // The first piece is short and alone: files that its lights name are known to all after it.
+        std::vector<std::size_t> ends{std::min(element + bytes / 16, text_.size())};
+        while (true) {
+            std::vector<detail::PlainPiece> pieces(ends.size());
+            parallel_for(pieces.size(), threads_, [&](std::size_t p) {
+                const std::size_t begin = p == 0 ? element : detail::likely_element(text_, ends[p - 1], ends[p]);
+                // What begins at a wrong place could go on to the end of the text.
+                const std::string_view text = p == 0 ? text_ : text_.substr(0, ends[p] + bytes);
+                if (begin < ends[p]) pieces[p] = detail::read_plain(text, begin, ends[p], known_);
+            });
+            for (std::size_t p = 0; p < pieces.size(); ++p) {
+                if (element >= ends[p]) continue; // one before it is longer than this piece
+                detail::PlainPiece& piece = pieces[p];
+                if (piece.begin != element || piece.is_broken)
+                    piece = detail::read_plain(text_, element, ends[p], known_);
+                if (piece.is_broken) return other_way();
+                for (detail::PlainLight& light : piece.lights)
+                    if (Result<void> taken = take(light, index++); !taken) return pass_on(taken);
+                remember(piece);
+                if (piece.is_closed) return piece.end;
+                element = piece.end;
+            }
+            if (lights_sink_ != nullptr) {
+                for (LightDescription& light : rig_.lights)
+                    light.level *= maintenance_;
+                if (Result<void> passed = pass_lights(rig_.lights); !passed) return pass_on(passed);
+            }
+            ends.clear();
+            for (std::size_t p = 1; p <= together; ++p)
+                ends.push_back(std::min(element + p * bytes, text_.size()));
+        }
+    }
+
+    Result<void> take(detail::PlainLight& plain, std::size_t index) {
+        if (!plain.values.empty()) {
+            const detail::RigSink sink{[&](std::size_t /*alone*/, const Json& json) { return lights(index, json); },
+                                       [](const std::string& /*key*/, const Json& /*json*/) { return Result<void>(); }};
+            return detail::stream_rig(fmt::format(R"({{"lights":[{}]}})", plain.values), rig_.source, sink);
+        }
+        if (!expander_.count_single()) return other_way();
+        if (!plain.is_named) plain.light.name = detail::usual_name(plain.luminaire, index);
+        if (!rig_.places.empty()) note_place(fmt::format("lights[{}]", index));
+        rig_.lights.push_back(std::move(plain.light));
+        return {};
+    }
+
+    // The descriptions are gone then.
+    Result<void> pass_lights(std::vector<LightDescription>& descriptions) {
+        Result<std::vector<Light>> resolved =
+            resolver_->resolve(descriptions, [](std::size_t /*index*/) { return std::string(); });
+        if (!resolved) return pass_on(resolved);
+        descriptions.clear();
+        has_passed_lights_ = true;
+        lights_sink_->add(std::move(*resolved));
+        return {};
+    }
+
+    void remember(const detail::PlainPiece& piece) {
+        for (const auto& [text, color] : piece.colors)
+            if (known_.colors.size() < most_remembered) known_.colors.emplace(text, color);
+        for (const auto& [text, shape] : piece.shapes)
+            if (known_.shapes.size() < most_remembered) known_.shapes.emplace(text, shape);
     }
 
     // The lights that an element of "lights" stands for.
@@ -163,8 +277,10 @@ private:
 
     // Once an element has made several lights, the index of a light is no longer its place.
     void note_place(const detail::SingleLight& single) {
-        const std::string& path = single.written.path;
-        if (!single.repeated && rig_.places.empty()) return;
+        if (single.repeated || !rig_.places.empty()) note_place(single.written.path);
+    }
+
+    void note_place(const std::string& path) {
         if (rig_.places.empty() || rig_.places.back().path != path) rig_.places.push_back({rig_.lights.size(), path});
     }
 
@@ -251,7 +367,7 @@ private:
 
     // Colour texts repeat too: remarks about a colour are reported where it first occurs.
     Result<void> color(const std::string& text, glm::dvec3& target, const std::string& path) {
-        if (const auto known = colors_.find(text); known != colors_.end()) {
+        if (const auto known = known_.colors.find(text); known != known_.colors.end()) {
             target = known->second;
             return {};
         }
@@ -259,7 +375,8 @@ private:
         Result<glm::dvec3> parsed = parse_light_color(text, &said, &files_);
         if (!parsed) return pass_on(parsed);
         target = *parsed;
-        if (colors_.size() < most_remembered) colors_.emplace(text, target);
+        if (known_.colors.size() < most_remembered) known_.colors.emplace(text, target);
+        remarked_color_ = remarked_color_ || !said.empty();
         for (Diagnostic& diagnostic : said) {
             diagnostic.location.file = rig_.source;
             diagnostic.message = fmt::format("{}: {}", path, diagnostic.message);
@@ -270,7 +387,7 @@ private:
 
     // Shape texts repeat; a shape that was parsed once, with its file read, is copied.
     Result<void> shape(const std::string& text, Shape& target) {
-        if (const auto known = shapes_.find(text); known != shapes_.end()) {
+        if (const auto known = known_.shapes.find(text); known != known_.shapes.end()) {
             target = known->second;
             return {};
         }
@@ -278,7 +395,7 @@ private:
         if (!parsed) return pass_on(parsed);
         if (Result<void> loaded = load(*parsed); !loaded) return pass_on(loaded);
         target = *parsed;
-        if (shapes_.size() < most_remembered) shapes_.emplace(text, std::move(*parsed));
+        if (known_.shapes.size() < most_remembered) known_.shapes.emplace(text, std::move(*parsed));
         return {};
     }
 
@@ -292,6 +409,8 @@ private:
         const bool mask = !std::holds_alternative<ProfileShape>(shape);
         const auto key = std::pair(mask, *of.file);
         auto* const profile = std::get_if<ProfileShape>(&shape);
+        // A pipe cannot be read again by the other way.
+        if (is_plain_ && file_exists(*of.file) && file_identity(*of.file).empty()) return other_way();
         if (const auto known = webs_.find(key); known != webs_.end()) {
             *of.web = known->second.web;
             if (of.image != nullptr) *of.image = known->second.image;
@@ -333,6 +452,7 @@ private:
         } else if (key == "luminaires") {
             return luminaires(json);
         } else if (key == "maintenance") {
+            if (has_passed_lights_) return other_way(); // they do not have the factor
             Result<void> kept = keep(detail::maintenance_of(json), maintenance_);
             if (!kept) return placed(kept.error(), rig_.source, "maintenance");
         } else if (key == "camera") {
@@ -429,27 +549,91 @@ private:
     double maintenance_ = 1.0;
     detail::RigExpander expander_{rig_.source, luminaires_};
     std::vector<std::optional<LightDescription>> written_; // of the element of "lights" that is read
-    std::map<std::string, glm::dvec3> colors_;
-    std::map<std::string, Shape> shapes_;
+    detail::KnownTexts known_;
+    bool remarked_color_ = false;
     std::map<std::pair<bool, std::string>, RememberedFile> webs_;
     std::map<std::pair<std::shared_ptr<const Web>, double>, std::shared_ptr<const Web>> smooth_; // by table and step
     std::size_t smooth_intensities_ = 0;
+    bool is_plain_ = false; // read_plain()
+    std::string_view text_; // for it
+    LightsSink* lights_sink_ = nullptr;
+    std::optional<detail::LightResolver> resolver_;
+    bool has_passed_lights_ = false;
+    unsigned threads_ = 0;
 };
 
 } // namespace
 
-Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder,
-                     const RigReadOptions& options) {
-    return Reader(source,
-                  options.allow_outside ? FileScope::anywhere(folder) : FileScope::under(folder, options.outside_hint))
-        .read(text);
+namespace {
+
+FileScope files_of(const std::string& folder, const RigReadOptions& options) {
+    return options.allow_outside ? FileScope::anywhere(folder) : FileScope::under(folder, options.outside_hint);
 }
 
+// A spectrum may be a pipe, which cannot be read twice.
+bool may_read_twice(std::string_view text, const RigReadOptions& options) {
+    return !options.allow_outside || text.find("spectrum:") == std::string_view::npos;
+}
+
+} // namespace
+
+Result<Rig> detail::read_rig_by_values(std::string_view text, const std::string& source, const std::string& folder,
+                                       const RigReadOptions& options) {
+    return Reader(source, files_of(folder, options)).read(text);
+}
+
+Result<Rig> detail::read_rig_plainly(std::string_view text, const std::string& source, const std::string& folder,
+                                     const RigReadOptions& options) {
+    return Reader(source, files_of(folder, options)).read_plain(text, options.threads);
+}
+
+Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder,
+                     const RigReadOptions& options) {
+    if (may_read_twice(text, options))
+        if (Result<Rig> rig = detail::read_rig_plainly(text, source, folder, options)) return rig;
+    return detail::read_rig_by_values(text, source, folder, options);
+}
+
+namespace {
+
+Result<std::string> text_of_rig(const std::string& path) {
+    return path == "-" ? read_standard_input(limit("rig-bytes")) : read_file(path, limit("rig-bytes"));
+}
+
+} // namespace
+
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options) {
-    Result<std::string> text =
-        path == "-" ? read_standard_input(limit("rig-bytes")) : read_file(path, limit("rig-bytes"));
+    Result<std::string> text = text_of_rig(path);
     if (!text) return pass_on(text);
     return read_rig(*text, path, folder_of_file(path), options);
+}
+
+Result<Rig> stream_rig_file(const std::string& path, const RigReadOptions& options, LightsSink& sink,
+                            Diagnostics& diagnostics) {
+    Result<std::string> text = text_of_rig(path);
+    if (!text) return pass_on(text);
+    const std::string folder = folder_of_file(path);
+    sink.restart();
+    if (may_read_twice(*text, options)) {
+        Result<Rig> rig = Reader(path, files_of(folder, options)).read_plain(*text, options.threads, &sink);
+        if (rig) {
+            const Diagnostics said = std::exchange(rig->diagnostics, {});
+            diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+            return rig;
+        }
+        sink.restart();
+    }
+    Result<Rig> rig = detail::read_rig_by_values(*text, path, folder, options);
+    if (!rig) return rig;
+    Rig of_lights;
+    of_lights.source = rig->source;
+    of_lights.lights = std::exchange(rig->lights, {});
+    of_lights.places = std::exchange(rig->places, {});
+    of_lights.diagnostics = std::exchange(rig->diagnostics, {});
+    Result<std::vector<Light>> lights = resolve_lights(std::move(of_lights), diagnostics, options.threads);
+    if (!lights) return pass_on(lights);
+    sink.add(std::move(*lights));
+    return rig;
 }
 
 std::span<const std::string_view> rig_keys() {

@@ -112,11 +112,7 @@ public:
             node.written.number = written_++;
         }
         if (!node.is_named)
-            node.name = fmt::format("{} {}",
-                                    is_group                            ? "group"
-                                    : node.written.luminaire != nullptr ? node.written.luminaire->name
-                                                                        : "light",
-                                    index + 1);
+            node.name = is_group ? fmt::format("group {}", index + 1) : usual_name(node.written.luminaire, index);
         node.lights = product(
             node.lights, product(std::max<std::size_t>(node.positions.size(), 1), node.array ? node.array->size() : 1));
         return node;
@@ -438,6 +434,10 @@ Result<double> maintenance_of(const Json& json) {
     return share;
 }
 
+std::string usual_name(const Luminaire* luminaire, std::size_t index) {
+    return fmt::format("{} {}", luminaire != nullptr ? std::string_view(luminaire->name) : "light", index + 1);
+}
+
 Result<Luminaires> read_luminaires(const Json& json, const std::string& source) {
     if (!json.is_object())
         return rig_error("RIG0105", source, "luminaires", fmt::format("must be an object, not {}", type_of(json)),
@@ -480,6 +480,12 @@ Result<void> RigExpander::expand(const Json& json, std::size_t index, const Sing
     if (node->lights > limit("rig-lights").value - lights_) return beyond(limit("rig-lights"));
     lights_ += node->lights;
     return Maker(source_, sink, node->makes_lights()).make(*node, {});
+}
+
+bool RigExpander::count_single() {
+    if (lights_ >= limit("rig-lights").value) return false;
+    ++lights_;
+    return true;
 }
 
 std::span<const std::string_view> rig_luminaire_keys() {

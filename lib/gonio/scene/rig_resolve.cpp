@@ -1,5 +1,8 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_parts.hpp>
+#include <gonio/light/luminaire.hpp>
+#include <gonio/light/opening.hpp>
+#include <gonio/scene/detail/light_resolver.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/rig.hpp>
 
@@ -27,10 +30,6 @@ std::string place_of_light(const Rig& rig, std::size_t index) {
 constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// Everything that determines how much a light with a web or an image emits.
-using Emitter = std::tuple<std::size_t, std::vector<double>, const void*, const Opening*, std::string_view, double,
-                           double, double, double>;
-
 // The values of the shape's keys, of any kind.
 std::vector<double> numbers_of(const Shape& shape) {
     struct Number {
@@ -43,23 +42,6 @@ std::vector<double> numbers_of(const Shape& shape) {
     for (const ShapeValue& value : values_of(shape))
         numbers.push_back(std::visit(Number(), value.value));
     return numbers;
-}
-
-// Nothing for lights without either: they need only arithmetic.
-std::optional<Emitter> emitter_of(const LightDescription& light) {
-    const void* const pattern = pattern_of(light.shape);
-    if (pattern == nullptr) return std::nullopt;
-    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
-    const PhotometricValue value = light.intensity.value_or(PhotometricValue{});
-    return Emitter{light.shape.index(),
-                   numbers_of(light.shape),
-                   pattern,
-                   profile != nullptr ? profile->opening() : nullptr,
-                   value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
-                   value.number,
-                   value.unit.distance.value_or(Meters()).value,
-                   value.unit.efficacy_lm_per_w.value_or(0.0),
-                   light.level};
 }
 
 // Combines frame, name, colour and range of the description with another resolved light of the same emission.
@@ -80,49 +62,64 @@ Result<Light> like(const Light& prototype, LightDescription description, Diagnos
 
 } // namespace
 
-Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads) {
-    std::move(rig.diagnostics.begin(), rig.diagnostics.end(), std::back_inserter(diagnostics));
+namespace detail {
 
-    // The flux and the peak of a web need a pass over it: lights with the same emission share one.
-    std::map<Emitter, std::size_t> known;
-    std::vector<std::size_t> first_light;                      // of each kind of emitter
-    std::vector<std::size_t> emitter(rig.lights.size(), none); // of each light
-    for (std::size_t i = 0; i < rig.lights.size(); ++i) {
-        const std::optional<Emitter> key = emitter_of(rig.lights[i]);
+// Nothing for lights without either: they need only arithmetic.
+std::optional<LightResolver::Emitter> LightResolver::emitter_of(const LightDescription& light) {
+    const void* const pattern = pattern_of(light.shape);
+    if (pattern == nullptr) return std::nullopt;
+    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
+    const PhotometricValue value = light.intensity.value_or(PhotometricValue{});
+    return Emitter{light.shape.index(),
+                   numbers_of(light.shape),
+                   pattern,
+                   profile != nullptr ? profile->opening() : nullptr,
+                   value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
+                   value.number,
+                   value.unit.distance.value_or(Meters()).value,
+                   value.unit.efficacy_lm_per_w.value_or(0.0),
+                   light.level};
+}
+
+Result<std::vector<Light>> LightResolver::resolve(std::span<LightDescription> descriptions, const Place& place) {
+    std::vector<std::size_t> first_light;                        // of each new kind of emitter
+    std::vector<std::size_t> emitter(descriptions.size(), none); // of each light
+    const std::size_t known_before = prototypes_.size();
+    for (std::size_t i = 0; i < descriptions.size(); ++i) {
+        const std::optional<Emitter> key = emitter_of(descriptions[i]);
         if (!key) continue;
-        const auto [at, added] = known.emplace(*key, first_light.size());
+        const auto [at, added] = known_.emplace(*key, known_before + first_light.size());
         if (added) first_light.push_back(i);
         emitter[i] = at->second;
     }
 
-    std::vector<Light> lights(rig.lights.size());
-    std::vector<Diagnostics> noticed(rig.lights.empty() ? 0 : (rig.lights.size() - 1) / block_size + 1);
+    std::vector<Light> lights(descriptions.size());
+    std::vector<Diagnostics> noticed(descriptions.empty() ? 0 : (descriptions.size() - 1) / block_size + 1);
     std::vector<std::optional<Error>> errors(std::max(noticed.size(), first_light.size()));
     const auto first_error = [&]() -> Error* {
         const auto found = std::find_if(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); });
         return found == errors.end() ? nullptr : &**found;
     };
-    const auto at = [&](const Error& error, std::size_t i) {
-        return detail::placed(error, rig.source, place_of_light(rig, i)).value();
-    };
+    const auto at = [&](const Error& error, std::size_t i) { return placed(error, source_, place(i)).value(); };
 
-    std::vector<Light> prototypes(first_light.size());
+    make_bodies(descriptions, first_light);
+    prototypes_.resize(known_before + first_light.size());
     std::vector<Diagnostics> noticed_in_webs(first_light.size());
-    parallel_for(first_light.size(), threads, [&](std::size_t e) {
-        Result<Light> light = resolve_light(rig.lights[first_light[e]], noticed_in_webs[e]);
+    parallel_for(first_light.size(), threads_, [&](std::size_t e) {
+        Result<Light> light = resolve_light(descriptions[first_light[e]], noticed_in_webs[e], bodies_);
         if (light)
-            prototypes[e] = std::move(*light);
+            prototypes_[known_before + e] = std::move(*light);
         else
             errors[e] = at(light.error(), first_light[e]);
     });
     if (Error* const error = first_error()) return Unexpected(std::move(*error));
 
-    parallel_for(noticed.size(), threads, [&](std::size_t b) {
+    parallel_for(noticed.size(), threads_, [&](std::size_t b) {
         const std::size_t end = std::min(lights.size(), (b + 1) * block_size);
         for (std::size_t i = b * block_size; i < end; ++i) {
             Result<Light> light = emitter[i] == none
-                                      ? resolve_light(std::move(rig.lights[i]), noticed[b])
-                                      : like(prototypes[emitter[i]], std::move(rig.lights[i]), noticed[b]);
+                                      ? resolve_light(std::move(descriptions[i]), noticed[b])
+                                      : like(prototypes_[emitter[i]], std::move(descriptions[i]), noticed[b]);
             if (!light) {
                 errors[b] = at(light.error(), i);
                 return;
@@ -131,9 +128,44 @@ Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, uns
         }
     });
     if (Error* const error = first_error()) return Unexpected(std::move(*error));
-    for (std::vector<Diagnostics>* const lists : {&noticed_in_webs, &noticed})
-        for (Diagnostics& list : *lists)
-            std::move(list.begin(), list.end(), std::back_inserter(diagnostics));
+    for (Diagnostics& list : noticed_in_webs)
+        std::move(list.begin(), list.end(), std::back_inserter(noticed_in_webs_));
+    for (Diagnostics& list : noticed)
+        std::move(list.begin(), list.end(), std::back_inserter(noticed_));
+    return lights;
+}
+
+// Of the openings that these lights have and no light before them.
+void LightResolver::make_bodies(std::span<const LightDescription> lights, std::span<const std::size_t> of) {
+    std::vector<std::pair<const Web*, const Opening*>> missing;
+    for (const std::size_t light : of) {
+        const auto* const profile = std::get_if<ProfileShape>(&lights[light].shape);
+        const Opening* const opening = profile != nullptr ? profile->opening() : nullptr;
+        if (opening == nullptr || opening->shape == OpeningShape::point) continue;
+        if (bodies_.try_emplace({profile->web.get(), opening}).second)
+            missing.emplace_back(profile->web.get(), opening);
+    }
+    parallel_for(missing.size(), threads_, [&](std::size_t i) {
+        bodies_.find(missing[i])->second = opening_body(*missing[i].second, *missing[i].first);
+    });
+}
+
+Diagnostics LightResolver::noticed() {
+    Diagnostics all = std::move(noticed_in_webs_);
+    std::move(noticed_.begin(), noticed_.end(), std::back_inserter(all));
+    return all;
+}
+
+} // namespace detail
+
+Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads) {
+    std::move(rig.diagnostics.begin(), rig.diagnostics.end(), std::back_inserter(diagnostics));
+    detail::LightResolver resolver(rig.source, threads);
+    Result<std::vector<Light>> lights =
+        resolver.resolve(rig.lights, [&rig](std::size_t i) { return place_of_light(rig, i); });
+    if (!lights) return lights;
+    Diagnostics noticed = resolver.noticed();
+    std::move(noticed.begin(), noticed.end(), std::back_inserter(diagnostics));
     return lights;
 }
 

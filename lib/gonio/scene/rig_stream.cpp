@@ -72,7 +72,7 @@ public:
         if (where_ == Where::rig && open_.empty() && member_ == "lights") {
             where_ = Where::lights;
             lights_seen_ = true;
-            return true;
+            return !sink_.lights || skip_lights();
         }
         return open(Json::array());
     }
@@ -146,6 +146,15 @@ private:
         if (placed == nullptr) return false;
         open_.push_back(placed);
         return true;
+    }
+
+    bool skip_lights() {
+        Result<std::size_t> end = sink_.lights(bytes_read() - 1);
+        if (end)
+            skip_to(*end);
+        else
+            error_ = std::move(end.error());
+        return end.has_value();
     }
 
     bool deliver() {

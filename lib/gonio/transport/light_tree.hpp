@@ -2,6 +2,8 @@
 // search.
 #pragma once
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -38,6 +40,20 @@ public:
     // Appends the lights whose spheres the cone may meet, in no particular order.
     void meeting_cone(const RayCone& cone, std::vector<std::uint32_t>& lights) const;
 
+    // Calls visit(light) for the lights whose centres lie within `reach` of a place and not behind its plane by more
+    // than a margin, and for some others, those of the nearer half of the tree first. It returns how far away a light
+    // may still matter, which is no farther than before; less than 0 ends the search. Spheres of infinite radius are
+    // left out.
+    struct Before {
+        glm::dvec3 place{0.0};
+        glm::dvec3 normal{0.0, 0.0, 1.0}; // unit
+        double margin = 0.0;
+    };
+    template<class Visit>
+    void visit_near(const Before& before, double reach, const Visit& visit) const {
+        if (!nodes_.empty()) visit_near(0, before, reach, visit);
+    }
+
 private:
     // The left child is at the next index; a leaf has no children and holds spheres [first, first + count).
     struct Node {
@@ -45,6 +61,34 @@ private:
         std::uint32_t first = 0, count = 0;
         std::uint32_t right = 0;
     };
+
+    static double squared_distance(const Node& node, const glm::dvec3& place) {
+        const glm::dvec3 away = place - glm::clamp(place, node.low, node.high);
+        return glm::dot(away, away);
+    }
+
+    // Whether all of the node is behind the plane.
+    static bool is_behind(const Node& node, const Before& before, double reach) {
+        const glm::dvec3 middle = 0.5 * (node.low + node.high) - before.place;
+        const double half = 0.5 * glm::dot(node.high - node.low, glm::abs(before.normal));
+        constexpr double rounding = 1e-9;
+        return glm::dot(middle, before.normal) + half < -before.margin - rounding * (reach + half);
+    }
+
+    template<class Visit>
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
+    void visit_near(std::uint32_t index, const Before& before, double& reach, const Visit& visit) const {
+        const Node& node = nodes_[index];
+        if (reach < 0.0 || squared_distance(node, before.place) > reach * reach || is_behind(node, before, reach))
+            return;
+        for (std::uint32_t i = node.first; i < node.first + node.count && reach >= 0.0; ++i)
+            reach = visit(spheres_[i].light);
+        if (node.count > 0) return;
+        const bool is_right_nearer =
+            squared_distance(nodes_[node.right], before.place) < squared_distance(nodes_[index + 1], before.place);
+        visit_near(is_right_nearer ? node.right : index + 1, before, reach, visit);
+        visit_near(is_right_nearer ? index + 1 : node.right, before, reach, visit);
+    }
 
     std::uint32_t build(std::size_t first, std::size_t count);
     template<class MeetsNode, class MeetsSphere>

@@ -192,8 +192,10 @@ private:
         return std::abs(glm::dot(box.frame.origin - chart_.frame.origin, chart_.frame.z)) < reach + least_m_;
     }
 
-    // How far apart nodes may lie in a part, if that is less than the part's longest side.
-    double spacing_in(const glm::dvec3& middle, const glm::dvec3& normal, double half_diagonal_m, double longest_m) {
+    // How far apart nodes may lie in a part, if that is less than the part's longest side; if it is less than the
+    // shortest one, perhaps more than that.
+    double spacing_in(const glm::dvec3& middle, const glm::dvec3& normal, double half_diagonal_m, double shortest_m,
+                      double longest_m) const {
         double spacing_m = std::numeric_limits<double>::infinity();
         for (const Attraction& attraction : attractions_) {
             const double gap_m = distance_to_surface(*attraction.geometry, middle);
@@ -204,17 +206,20 @@ private:
             spacing_m = std::min(spacing_m, coarseness_ * std::max(least_at_contact * attraction.radius_m,
                                                                    near_contact * from_contact_m));
         }
-        // Any farther away lets parts be as long as this one is.
-        const double reach_m = half_diagonal_m + longest_m / (coarseness_ * near_light);
-        near_.clear();
-        light_tree_.meeting_box(middle - reach_m, middle + reach_m, near_);
-        for (const std::uint32_t light : near_) {
+        // Any farther away lets parts be as long as this one is, or as the spacing is already.
+        const auto reach_m = [&] {
+            constexpr double rounding = 1.0 + 1e-9;
+            return rounding * (half_diagonal_m + std::min(longest_m, spacing_m) / (coarseness_ * near_light));
+        };
+        light_tree_.visit_near({middle, normal, half_diagonal_m}, reach_m(), [&](std::uint32_t light) {
             const glm::dvec3 to = lights_[light].position - middle;
-            if (!lights_[light].may_light(middle, half_diagonal_m)) continue;
-            if (glm::dot(to, normal) + half_diagonal_m < 0.0) continue; // behind
-            const double away_m = std::max(glm::length(to) - half_diagonal_m, 0.5 * least_m_);
-            spacing_m = std::min(spacing_m, coarseness_ * near_light * away_m);
-        }
+            const bool is_behind = glm::dot(to, normal) + half_diagonal_m < 0.0;
+            if (!is_behind && lights_[light].may_light(middle, half_diagonal_m)) {
+                const double away_m = std::max(glm::length(to) - half_diagonal_m, 0.5 * least_m_);
+                spacing_m = std::min(spacing_m, coarseness_ * near_light * away_m);
+            }
+            return spacing_m < shortest_m ? -1.0 : reach_m(); // the part is divided both ways
+        });
         return spacing_m;
     }
 
@@ -231,8 +236,8 @@ private:
             is_round_ ? glm::distance(chart_.position({extent.low.x, at.y}), chart_.position({extent.high.x, at.y}))
                       : size.x;
         const double height_m = size.y;
-        const double spacing_m =
-            spacing_in(middle, chart_.normal(at), 0.5 * std::hypot(width_m, height_m), std::max(width_m, height_m));
+        const double spacing_m = spacing_in(middle, chart_.normal(at), 0.5 * std::hypot(width_m, height_m),
+                                            std::min(width_m, height_m), std::max(width_m, height_m));
         const bool along_u = width_m > spacing_m;
         const bool along_v = height_m > spacing_m;
         if (!along_u && !along_v) return;
@@ -422,7 +427,6 @@ private:
     std::vector<glm::dvec2> places_; // of the nodes
     std::map<std::pair<double, double>, std::uint32_t> node_by_place_;
     std::vector<Attraction> attractions_;
-    std::vector<std::uint32_t> near_; // lights
 };
 
 NodeTree::NodeTree(const Stage& stage, std::span<const LightPlace> lights, const Chart& chart, double square_m,

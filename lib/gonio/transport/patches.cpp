@@ -358,22 +358,22 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
     by_links_.assign(cells_.size(), 1.0F);
     // From farther away none makes anything that bright.
     const double reach_m = std::sqrt(area_m2 / (4.0 * std::numbers::pi * bright));
-    std::vector<LightSphere> reaches;
+    std::vector<LightSphere> points;
     for (const LightPlace& light : lights)
-        reaches.push_back({light.position, reach_m, static_cast<std::uint32_t>(reaches.size())});
-    const LightTree tree(reaches);
-    std::vector<std::uint32_t> near;
+        points.push_back({light.position, 0.0, static_cast<std::uint32_t>(points.size())});
+    const LightTree tree(points);
     const auto times_the_mean = [&](const glm::dvec3& position, const glm::dvec3& normal, double least_m) {
-        near.clear();
-        tree.meeting_box(position, position, near);
         double most = 0.0;
-        for (const std::uint32_t index : near) {
+        tree.visit_near({position, normal}, reach_m, [&](std::uint32_t index) {
             const LightPlace& light = lights[index];
-            if (!light.may_light(position, 0.0)) continue;
             const glm::dvec3 to = light.position - position;
             const double distance = std::max(glm::length(to), least_m);
-            most = std::max(most, glm::dot(to, normal) / (distance * distance * distance));
-        }
+            const double one = glm::dot(to, normal) / (distance * distance * distance);
+            if (one > most && glm::dot(to, to) <= reach_m * reach_m && light.may_light(position, 0.0)) most = one;
+            // A light makes no more than the reciprocal of its squared distance.
+            constexpr double rounding = 1.0 + 1e-9;
+            return most > 0.0 ? std::min(rounding / std::sqrt(most), reach_m) : reach_m;
+        });
         return most * area_m2 / (4.0 * std::numbers::pi);
     };
     struct Bright {

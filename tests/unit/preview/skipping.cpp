@@ -239,6 +239,50 @@ TEST(LightTree, FindsWhatASearchFinds) {
     }
 }
 
+// The greatest of values that fall with the distance, before planes of any direction, as a search over all finds it.
+TEST(LightTree, NearLightsComeBeforeTheSearchEnds) {
+    Numbers numbers(23);
+    for (const std::size_t count : {0UL, 1UL, 5UL, 700UL}) {
+        std::vector<detail::LightSphere> points;
+        std::vector<double> strength;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            points.push_back({numbers.in_box(10.0), 0.0, i});
+            strength.push_back(numbers.between(0.0, 1.0));
+        }
+        const detail::LightTree tree(points);
+        std::size_t visited = 0;
+        constexpr int trials = 300;
+        for (int trial = 0; trial < trials; ++trial) {
+            const detail::LightTree::Before before{numbers.in_box(12.0), numbers.direction(), trial % 3 * 0.5};
+            const double reach = numbers.between(0.0, 20.0);
+            const auto value = [&](std::uint32_t light) {
+                const glm::dvec3 to = points[light].center - before.place;
+                const bool counts = glm::length(to) <= reach && glm::dot(to, before.normal) >= -before.margin;
+                return counts ? strength[light] / glm::dot(to, to) : 0.0;
+            };
+            double truth = 0.0;
+            for (std::uint32_t light = 0; light < count; ++light)
+                truth = std::max(truth, value(light));
+            double most = 0.0;
+            tree.visit_near(before, reach, [&](std::uint32_t light) {
+                ++visited;
+                most = std::max(most, value(light));
+                return most > 0.0 ? std::min(reach, 1.0 / std::sqrt(most)) : reach;
+            });
+            EXPECT_EQ(most, truth);
+            int calls = 0;
+            tree.visit_near(before, reach, [&](std::uint32_t /*light*/) {
+                ++calls;
+                return -1.0;
+            });
+            EXPECT_LE(calls, 1);
+        }
+        if (count == 700) {
+            EXPECT_LT(visited, trials * count / 5);
+        }
+    }
+}
+
 // Points of a ray within the cone lie in spheres that the cone meets.
 TEST(LightTree, AConeMeetsTheSpheresOfItsRays) {
     Numbers numbers(19);

@@ -11,10 +11,12 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -464,6 +466,53 @@ TEST(Probe, MethodsAreKnownByName) {
         EXPECT_EQ(to_text(method.method), method.name);
     }
     EXPECT_FALSE(parse_irradiance_method("exakt"));
+}
+
+// Lights in parts of any size give the values of all at once to the last bit, and the same remarks.
+TEST(Probe, SumOfPartsIsThatOfAll) {
+    std::mt19937 random(9);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+    };
+    std::vector<Light> lights;
+    for (int i = 0; i < 9000; ++i)
+        lights.push_back(make(i % 3 == 0   ? "point"
+                              : i % 3 == 1 ? "sphere:r=20cm"
+                                           : "disk:r=30cm",
+                              "800lm", {between(-20.0, 20.0), between(-20.0, 20.0), between(2.0, 5.0)}));
+    lights[7002].name = "around it"; // a point
+    lights[7002].frame.origin = {1.0, 2.0, 0.0};
+    lights[5002].name = "over it"; // a sphere
+    lights[5002].frame.origin = {3.0, 3.0, 0.1};
+    const std::vector<Receiver> receivers{{{1.0, 2.0, 0.0}}, {{3.0, 3.0, 0.0}}, {{-5.0, 9.0, 0.0}, {0.3, 0.0, 1.0}}};
+    for (const bool has_view : {false, true}) {
+        ProbeOptions options;
+        options.threads = 2;
+        if (has_view) options.view = ProbeView{{1.0, 0.0, 0.2}, parse_material("lambert:albedo=0.5").value()};
+        const ProbeResult all = probe(lights, receivers, options).value();
+        for (const std::size_t most : {1U, 1000U, 4096U, 5000U, 20000U}) {
+            ProbeSum sum = ProbeSum::of(receivers, options).value();
+            for (std::size_t first = 0; first < lights.size();) {
+                const std::size_t size = std::min(lights.size() - first, most == 1 ? 1 + random() % 7 : most);
+                ASSERT_TRUE(sum.add(std::span(lights).subspan(first, size)));
+                first += size;
+            }
+            const ProbeResult parts = sum.result();
+            EXPECT_EQ(sum.lights(), lights.size());
+            EXPECT_EQ(parts.illuminance_lx, all.illuminance_lx);
+            ASSERT_EQ(parts.luminance.size(), all.luminance.size());
+            for (std::size_t r = 0; r < all.luminance.size(); ++r)
+                EXPECT_EQ(parts.luminance[r].diffuse.value, all.luminance[r].diffuse.value);
+            const Diagnostics said = to_diagnostics(parts.remarks, sum.remarked());
+            const Diagnostics expected = to_diagnostics(all.remarks, lights);
+            ASSERT_EQ(said.size(), expected.size());
+            EXPECT_GE(said.size(), 2U); // on a light, and in one
+            for (std::size_t i = 0; i < said.size(); ++i)
+                EXPECT_EQ(to_text(said[i]), to_text(expected[i]));
+        }
+    }
+    EXPECT_EQ(ProbeSum::of(receivers).value().result().illuminance_lx, (std::vector{0.0, 0.0, 0.0}));
+    EXPECT_FALSE(ProbeSum::of(std::vector<Receiver>{{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}}));
 }
 
 } // namespace

@@ -33,6 +33,9 @@ using Luminaires = std::map<std::string, Luminaire, std::less<>>; // by name
 // reader of lights.
 Result<Luminaires> read_luminaires(const Json& json, const std::string& source);
 
+// The name of a light without one: "A 3", or "light 3" without a luminaire. The index counts from 0 in its list.
+std::string usual_name(const Luminaire* luminaire, std::size_t index);
+
 // A light as written.
 struct WrittenLight {
     const Json* keys = nullptr;
@@ -64,6 +67,9 @@ public:
     // The lights of an element of the rig's "lights", which has this index there. Fails as reading a rig does, and with
     // RIG0108, before any light is made, if the rig would have more than the limits rig-lights and rig-array.
     Result<void> expand(const Json& json, std::size_t index, const SingleLightSink& sink);
+
+    // Counts one more light, which is not repeated. False: the rig would have more than the limit rig-lights.
+    bool count_single();
 
 private:
     const std::string& source_;

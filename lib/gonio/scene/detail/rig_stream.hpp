@@ -15,6 +15,9 @@ namespace gonio::detail {
 struct RigSink {
     std::function<Result<void>(std::size_t index, const Json& light)> light;
     std::function<Result<void>(const std::string& key, const Json& value)> member;
+    // If given, reads the array "lights" from its opening bracket on, and returns the offset of the closing one:
+    // light() is not called then.
+    std::function<Result<std::size_t>(std::size_t bracket)> lights = {};
 };
 
 // "rig.json: lights[3].shape: message" as an error (malformed); `path` may be empty.
