@@ -61,6 +61,7 @@ void turn_receivers(ProbeRequest& request) {
 }
 
 Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
+    turn_receivers(request); // those of a work plane are placed below
     Result<bool> summed = sum_while_reading(arguments, request);
     if (!summed) return pass_on(summed);
     if (*summed) return {};
@@ -93,8 +94,8 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
         if (!request.stage)
             return fail("USE0104", "--workplane needs a stage with walls", "add --stage room, or a stage to the rig");
         if (Result<void> placed = place_on(*request.stage, request.points); !placed) return placed;
+        turn_receivers(request);
     }
-    turn_receivers(request);
     if (Result<void> read = read_lights_of_stage(arguments, input, request); !read) return read;
     if (request.indirect || lit->sky.is_given) {
         if (!request.stage && request.indirect)

@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -20,7 +23,10 @@ namespace {
 constexpr std::size_t least_bytes = std::size_t{4} << 20U; // some tens of thousands of lights
 
 bool asks_for_sums(const Arguments& arguments, const ProbeRequest& request) {
-    constexpr std::array others{"--profile-size", "--indirect", "--sky", "--stage", "--emits", "--json", "--jsonl"};
+    constexpr std::array others{
+        "--profile-size", "--indirect", "--sky", "--stage", "--emits", "--json", "--jsonl",
+        // What is left to the usual way is read again, which a pipe that a light names cannot be.
+        "--allow-outside"};
     return std::none_of(others.begin(), others.end(), [&](std::string_view o) { return arguments.has(o); }) &&
            request.is_planar() && !request.compare && !request.glare && !request.task && !request.drawing &&
            !request.points.workplane && request.points.receivers.size() <= points_at_once;

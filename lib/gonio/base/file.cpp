@@ -45,8 +45,9 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most,
     for (;;) {
         if (used == bytes.size()) {
             const std::size_t step = std::max(least_step, used);
-            bytes.resize(used < bytes.capacity() ? std::min(used + std::min(step, greatest_step), bytes.capacity())
-                                                 : used + step);
+            bytes.resize(size > 0 && used < bytes.capacity()
+                             ? std::min(used + std::min(step, greatest_step), bytes.capacity())
+                             : used + step);
         }
         const ssize_t got = ::read(fd, bytes.data() + used, bytes.size() - used);
         if (got < 0) {

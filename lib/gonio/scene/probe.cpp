@@ -25,8 +25,9 @@ constexpr std::array method_names{
                          "closed forms with horizon clipping, no distance guard; luminance by quadrature to 1e-6"},
     IrradianceMethodName{IrradianceMethod::reference, "reference",
                          "quadrature over the light to the error of --error, with an estimate of its own error"},
-    IrradianceMethodName{IrradianceMethod::ltc, "ltc",
-                         "illuminance as exact; highlights of lights with a size by linearly transformed cosines"},
+    IrradianceMethodName{
+        IrradianceMethod::ltc, "ltc",
+        "illuminance as exact; highlights of lights with a size summed at points that transformed cosines place"},
     IrradianceMethodName{IrradianceMethod::representative_point, "representative-point",
                          "the same; highlights by the light's point nearest to the mirrored view (Karis 2013)"},
     IrradianceMethodName{IrradianceMethod::dominant_direction, "dominant-direction",

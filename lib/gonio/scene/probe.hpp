@@ -29,7 +29,7 @@ namespace gonio {
 enum class IrradianceMethod {
     exact,                // closed forms with horizon clipping, no guard; luminance by quadrature to 1e-6
     reference,            // everything by quadrature to ProbeOptions::goal, with its error estimate
-    ltc,                  // illuminance as `exact`; lobes under area lights by linearly transformed cosines
+    ltc,                  // illuminance as `exact`; lobes under area lights as specular_ltc.hpp has them
     representative_point, // the same, lobes by one direction: see shading/specular_named.hpp
     dominant_direction,
     specular_d,

@@ -103,6 +103,7 @@ public:
         if (remarked_color_ && known_.colors.size() == most_remembered) return other_way();
         Result<Rig> rig = finish(std::move(streamed));
         if (!rig || lights_sink_ == nullptr) return rig;
+        rig_.source = rig->source; // was moved, and what resolves lights names it
         if (Result<void> passed = pass_lights(rig->lights); !passed) return pass_on(passed);
         rig->places.clear();
         const Diagnostics noticed = resolver_->noticed();
@@ -171,7 +172,9 @@ private:
         if (!first) return other_way();
         known_.written_luminaires = &luminaires_;
         constexpr std::size_t bytes = std::size_t{1} << 18U; // of a piece, some thousand lights
-        const std::size_t together = 4 * std::size_t{threads_ == 0 ? available_threads() : threads_};
+        constexpr std::size_t most_together = 32; // their lights take 14 times as much memory as their text at most
+        const std::size_t together =
+            std::min(4 * std::size_t{threads_ == 0 ? available_threads() : threads_}, most_together);
         std::size_t element = *first;
         std::size_t index = 0;
         // The first piece is short and alone: files that its lights name are known to all after it.
@@ -190,8 +193,7 @@ private:
                 if (piece.begin != element || piece.is_broken)
                     piece = detail::read_plain(text_, element, ends[p], known_);
                 if (piece.is_broken) return other_way();
-                for (detail::PlainLight& light : piece.lights)
-                    if (Result<void> taken = take(light, index++); !taken) return pass_on(taken);
+                if (Result<void> taken = take(piece, index); !taken) return pass_on(taken);
                 remember(piece);
                 if (piece.is_closed) return piece.end;
                 element = piece.end;
@@ -207,15 +209,29 @@ private:
         }
     }
 
-    Result<void> take(detail::PlainLight& plain, std::size_t index) {
-        if (!plain.values.empty()) {
-            const detail::RigSink sink{[&](std::size_t /*alone*/, const Json& json) { return lights(index, json); },
-                                       [](const std::string& /*key*/, const Json& /*json*/) { return Result<void>(); }};
-            return detail::stream_rig(fmt::format(R"({{"lights":[{}]}})", plain.values), rig_.source, sink);
+    // The elements of a piece in their order; `index` is that of the next one.
+    Result<void> take(detail::PlainPiece& piece, std::size_t& index) {
+        std::size_t taken = 0;
+        for (const detail::PlainPiece::Values& other : piece.others) {
+            for (; taken < other.behind; ++taken)
+                if (Result<void> light = take(piece.lights[taken], index++); !light) return light;
+            if (Result<void> values = take_values(other.text, index++); !values) return values;
         }
+        for (; taken < piece.lights.size(); ++taken)
+            if (Result<void> light = take(piece.lights[taken], index++); !light) return light;
+        return {};
+    }
+
+    Result<void> take_values(std::string_view text, std::size_t index) {
+        const detail::RigSink sink{[&](std::size_t /*alone*/, const Json& json) { return lights(index, json); },
+                                   [](const std::string& /*key*/, const Json& /*json*/) { return Result<void>(); }};
+        return detail::stream_rig(fmt::format(R"({{"lights":[{}]}})", text), rig_.source, sink);
+    }
+
+    Result<void> take(detail::PlainLight& plain, std::size_t index) {
         if (!expander_.count_single()) return other_way();
         if (!plain.is_named) plain.light.name = detail::usual_name(plain.luminaire, index);
-        if (!rig_.places.empty()) note_place(fmt::format("lights[{}]", index));
+        if (!rig_.places.empty() && lights_sink_ == nullptr) note_place(fmt::format("lights[{}]", index));
         rig_.lights.push_back(std::move(plain.light));
         return {};
     }
@@ -570,9 +586,10 @@ FileScope files_of(const std::string& folder, const RigReadOptions& options) {
     return options.allow_outside ? FileScope::anywhere(folder) : FileScope::under(folder, options.outside_hint);
 }
 
-// A spectrum may be a pipe, which cannot be read twice.
+// A spectrum may be a pipe, which cannot be read twice. Its name may have escapes.
 bool may_read_twice(std::string_view text, const RigReadOptions& options) {
-    return !options.allow_outside || text.find("spectrum:") == std::string_view::npos;
+    return !options.allow_outside ||
+           (text.find("spectrum:") == std::string_view::npos && text.find("\\u") == std::string_view::npos);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 namespace gonio::detail {
@@ -363,8 +362,8 @@ PlainPiece read_plain(std::string_view rig, std::size_t begin, std::size_t end, 
             at = Cursor(rig, element);
             piece.is_broken = !at.is_at('{') || !at.skip_nested();
             if (piece.is_broken) return piece;
-            light = PlainLight();
-            light.values = at.since(element);
+            piece.lights.pop_back();
+            piece.others.push_back({piece.lights.size(), at.since(element)});
         }
         piece.is_broken = !at.skip_blanks();
         piece.is_closed = at.is_at(']');

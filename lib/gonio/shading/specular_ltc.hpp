@@ -208,8 +208,10 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         const S trust = product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
         const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
         const S by_rows = sums.value * simd::mul_add(trust * trust, ratio - S(1), S(1));
-        // In a light, and where rounding leaves nothing of the rows of a light seen edge-on, only the share is known.
-        const auto by_share = simd::either(detail::surrounded(light, to_center), simd::abs(c) < S(1e-3) * k);
+        // In a light only the share is known. Rows of a light seen edge-on may be lost to rounding, or be elsewhere:
+        // then C is far from K, which is computed with care for such lights.
+        const auto lost = simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3)));
+        const auto by_share = simd::either(detail::surrounded(light, to_center), lost);
         value = simd::select(small, value, simd::select(by_share, k, by_rows));
         grazing = simd::select(
             small, grazing,

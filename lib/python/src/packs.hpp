@@ -24,7 +24,7 @@ bool fits_packs_alone(const Light& light);
 // [lx], one per point, of such lights together.
 void illuminance_in_packs(const std::vector<Light>& lights, const Points& points, unsigned threads, float* lx);
 
-// The Y of the colours towards an eye [cd/m²], highlights by linearly transformed cosines.
+// The Y of the colours towards an eye [cd/m²], highlights by ltc.
 void luminance_in_packs(const std::vector<Light>& lights, const Points& points, const glm::dvec3& eye,
                         const Material& material, unsigned threads, float* nits);
 

@@ -1,4 +1,4 @@
-// Specular luminance of lights with a size: linearly transformed cosines against the one-direction methods.
+// Specular luminance of lights with a size: ltc against its former way and the methods of one direction.
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/suites/suites.hpp>
 

@@ -30,12 +30,10 @@ struct KnownTexts {
     const Luminaires* written_luminaires = nullptr;
 };
 
-// An element of "lights".
 struct PlainLight {
     LightDescription light; // complete but for a name that is not given; without the rig's maintenance factor
     bool is_named = false;
     const Luminaire* luminaire = nullptr;
-    std::string_view values; // not empty: it is not plain, and this is its text
 };
 
 // A part of the array.
@@ -44,7 +42,13 @@ struct PlainPiece {
     std::size_t end = 0;    // of the element after its last one, or of the closing bracket
     bool is_closed = false; // `end` is the bracket
     bool is_broken = false; // not a list of objects
+    // An element that is not plain: its text, and how many of `lights` it is behind.
+    struct Values {
+        std::size_t behind;
+        std::string_view text;
+    };
     std::vector<PlainLight> lights;
+    std::vector<Values> others; // a few bytes of text may be one, so these are small
     std::map<std::string_view, glm::dvec3> colors; // texts that were not known, in the rig's text
     std::map<std::string_view, Shape> shapes;
 };
