@@ -148,9 +148,9 @@ public:
 
 // read_rig_file() and resolve_lights() in one, for sums over many lights: these are passed on, some thousands at a
 // time, and only the text of the file is kept. All at once where the rig must be read by its values: if its maintenance
-// factor, or luminaires that lights name, stand behind the lights, or if a light could name a pipe. The rig that is returned has no
-// lights and no diagnostics: what was noticed is appended to `diagnostics`. Fails as those do, with the same messages;
-// what was added does not count then.
+// factor, or luminaires that lights name, stand behind the lights, or if a light could name a pipe. The rig that is
+// returned has no lights and no diagnostics: what was noticed is appended to `diagnostics`. Fails as those do, with the
+// same messages; what was added does not count then.
 Result<Rig> stream_rig_file(const std::string& path, const RigReadOptions& options, LightsSink& sink,
                             Diagnostics& diagnostics);
 

@@ -48,7 +48,7 @@ struct PlainPiece {
         std::string_view text;
     };
     std::vector<PlainLight> lights;
-    std::vector<Values> others; // a few bytes of text may be one, so these are small
+    std::vector<Values> others;                    // a few bytes of text may be one, so these are small
     std::map<std::string_view, glm::dvec3> colors; // texts that were not known, in the rig's text
     std::map<std::string_view, Shape> shapes;
 };
