@@ -13,7 +13,6 @@
 // finite input gives finite sums.
 #pragma once
 
-#include <gonio/shading/gloss.hpp>
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_share.hpp>
