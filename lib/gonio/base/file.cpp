@@ -4,8 +4,10 @@
 #include <climits>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <fcntl.h>
 #include <memory>
@@ -39,7 +41,7 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most,
     std::size_t used = 0;
     // Reserved memory is not used until bytes are there, and nothing is copied. With room for a byte more the end is
     // seen without another step.
-    if (size > 0) bytes.reserve(std::min(size, most.value) + 1);
+    if (size > 0) bytes.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(size, most.value)) + 1);
     constexpr std::size_t least_step = std::size_t{64} << 10;
     constexpr std::size_t greatest_step = std::size_t{1} << 20; // what resize() clears is still in the cache
     for (;;) {
