@@ -502,36 +502,28 @@ void highlight_ltc(Function& f) {
     };
     const auto result = [&](S scale, S grazing) { return (f0 + (Vector{f90, f90, f90} - f0) * grazing) * scale; };
     const auto of = light.as_light();
-    // The simple case of specular_by_share(): points alone.
-    const core::LtcFrame<S> frame = core::ltc_frame(light.normal, view);
-    const S n_dot_v = dot(light.normal, view);
-    const core::LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
-    const auto points = core::detail::points_of(of, frame, light.to_center);
-    const Vector center = cosine(points.patch.center);
-    const S distance2 = simd::max(dot(center, center), S(1e-36));
-    const S size2 = points.transformed_size2(cosine);
+    // The simple case of specular_by_share().
+    const auto pose = core::detail::lobe_pose(of, light.to_center, light.normal, view, cosine_of);
     constexpr double alone = core::detail::ltc_points_alone[0];
-    const auto small = size2 < S(alone * alone) * distance2;
-    const auto dark = simd::either(points.patch.center.z < -points.rise(), !core::above_surface(n_dot_v));
-    const Vector v{-frame.sine, S(0), simd::select(core::above_surface(n_dot_v), n_dot_v, S(1))};
-    const auto sums = core::detail::point_sums<core::detail::CosineSum::none>(points, lobe, cosine, v);
-    const S by_points = simd::select(dark, S(0), simd::min(simd::max(sums.value, S(0)), S(1)));
-    f.label("n_dot_v", n_dot_v);
-    f.label("x", frame.x, "The lobe's frame: x towards which the mirrored view leans, y, and the normal.");
-    f.label("y", frame.y);
-    f.label("sine", frame.sine, "Of the angle between normal and view.");
-    f.label("m00", cosine.m00, "The matrix that makes the lobe a cosine.");
-    f.label("m02", cosine.m02);
-    f.label("m20", cosine.m20);
-    f.label("m22", cosine.m22);
-    f.label("center", points.patch.center);
-    f.label("size2", size2, "Of the light after the transform.");
-    f.label("distance2", distance2);
+    const auto small = pose.size2 < S(alone * alone) * pose.distance2;
+    const auto dark = pose.is_below();
+    const auto sums = core::detail::point_sums<core::detail::CosineSum::none>(pose.points, lobe, pose.cosine, pose.v);
+    const core::SpecularLuminance<S> by_points = core::detail::points_alone(sums, dark);
+    f.label("n_dot_v", pose.n_dot_v);
+    f.label("x", pose.frame.x, "The lobe's frame: x towards which the mirrored view leans, y, and the normal.");
+    f.label("y", pose.frame.y);
+    f.label("sine", pose.frame.sine, "Of the angle between normal and view.");
+    f.label("m00", pose.cosine.m00, "The matrix that makes the lobe a cosine.");
+    f.label("m02", pose.cosine.m02);
+    f.label("m20", pose.cosine.m20);
+    f.label("m22", pose.cosine.m22);
+    f.label("center", pose.points.patch.center);
+    f.label("size2", pose.size2, "Of the light after the transform.");
+    f.label("distance2", pose.distance2);
     f.label("small", small);
     f.label("dark", dark);
     f.label("by_points", sums.value, "The lobe itself at points of the light.");
-    f.early(simd::either(small, dark),
-            S::of(result(by_points, simd::min(sums.grazing / simd::max(sums.value, S(1e-36)), S(1))).node()),
+    f.early(simd::either(small, dark), S::of(result(by_points.scale, by_points.grazing).node()),
             "Small against the lobe, or below the horizon: the points are enough.");
     const auto found = core::specular_by_share(of, light.to_center, light.normal, view, lobe, cosine_of);
     f.returns(result(found.scale, found.grazing));

@@ -13,6 +13,7 @@
 #include <gonio/shading/vec3.hpp>
 
 #include <cstddef>
+#include <iterator>
 
 namespace gonio::shading::detail {
 
@@ -46,7 +47,7 @@ struct DiskPoints {
                                           {-0.40824829F, -0.70710678F, 0.125F},
                                           {0.40824829F, -0.70710678F, 0.125F}};
 
-    static constexpr std::size_t size = 7;
+    static constexpr std::size_t size = std::size(rule);
 
     LightPatch<S> patch;
 
@@ -74,7 +75,7 @@ struct RectanglePoints {
                                           {-0.77459667F, 0.77459667F, 25.0F / 324},
                                           {0.0F, 0.77459667F, 40.0F / 324},
                                           {0.77459667F, 0.77459667F, 25.0F / 324}};
-    static constexpr std::size_t size = 9;
+    static constexpr std::size_t size = std::size(rule);
 
     LightPatch<S> patch;
 
@@ -96,7 +97,7 @@ struct TubePoints {
         {0.77459667F, -0.57735027F, 5.0F / 36},  {-0.77459667F, 0.57735027F, 5.0F / 36},
         {0.0F, 0.57735027F, 8.0F / 36},          {0.77459667F, 0.57735027F, 5.0F / 36}};
 
-    static constexpr std::size_t size = 6 + 4; // and the ends
+    static constexpr std::size_t size = std::size(rule) + 4; // and the ends
 
     LightPatch<S> patch; // u along the axis
     S radius, half;
@@ -120,8 +121,10 @@ struct TubePoints {
     }
 };
 
+inline constexpr std::size_t most_light_points = 10; // a tube's
+
 // The points of a light of any kind, or other points with strengths; at most `most`.
-template<class S, std::size_t most = 10>
+template<class S, std::size_t most = most_light_points>
 struct GatheredPoints {
     vec3<S> at[most];
     S strength[most];

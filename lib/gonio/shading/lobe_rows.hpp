@@ -122,6 +122,16 @@ struct Fan {
         work(middle * cosine - beside * sine, half * S(pair.weight));
         work(middle * cosine + beside * sine, half * S(pair.weight));
     }
+    // Both points of each pair, with their shares of the whole angle.
+    template<std::size_t pairs>
+    GONIO_FORCE_INLINE void divide(const AnglePair (&rule)[pairs], vec2<S>* at, S* share) const {
+        for (const AnglePair& pair : rule)
+            for_both(
+                pair, [&](vec2<S> direction, S angle) __attribute__((always_inline)) {
+                    *at++ = direction;
+                    *share++ = angle;
+                });
+    }
 };
 
 // The part of a row inside a region: τ from `from` to `to`, nothing where `to` is not greater.
@@ -488,7 +498,9 @@ inline constexpr std::size_t most_row_points = 30; // a tube's
 template<class S, class Region>
 class RowPoints {
 public:
-    static constexpr std::size_t size = 2 * std::size(Region::rows) * 5;
+    static constexpr std::size_t rows = 2 * std::size(Region::rows);
+    static constexpr std::size_t points_of_row = 1 + 2 * std::size(LobeRule<S>::five);
+    static constexpr std::size_t size = rows * points_of_row;
 
     GONIO_FORCE_INLINE RowPoints(const Region& region, const LtcLobe<S>& cosine, S alpha, vec3<S> v)
         : region_(region), v_(v), inwards_(region.nearest), inverse_alpha_(S(1) / simd::max(alpha, S(1e-4))) {
@@ -529,17 +541,9 @@ public:
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         // One loop over each, so that its body is compiled once.
-        vec2<S> turned[2 * std::size(Region::rows)];
-        S step[2 * std::size(Region::rows)];
-        std::size_t rows = 0;
-        const Fan<S> turn(first_, last_);
-        for (const AnglePair& pair : Region::rows)
-            turn.for_both(
-                pair, [&](vec2<S> at, S angle) __attribute__((always_inline)) {
-                    turned[rows] = at;
-                    step[rows] = angle;
-                    ++rows;
-                });
+        vec2<S> turned[rows];
+        S step[rows];
+        Fan<S>(first_, last_).divide(Region::rows, &turned[0], &step[0]);
         for (std::size_t k = 0; k < rows; ++k)
             for_each_of_row(turned[k], step[k], work);
     }
@@ -591,19 +595,12 @@ private:
         const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
         const vec3<S> by_y = toward_axis_ * width;
 
-        vec2<S> at[5];
-        S angle[5];
+        vec2<S> at[points_of_row];
+        S angle[points_of_row];
         at[0] = along.middle;
         angle[0] = along.half * S(LobeRule<S>::middle);
-        std::size_t points = 1;
-        for (const AnglePair& pair : LobeRule<S>::five)
-            along.for_both(
-                pair, [&](vec2<S> point, S of_point) __attribute__((always_inline)) {
-                    at[points] = point;
-                    angle[points] = of_point;
-                    ++points;
-                });
-        for (std::size_t k = 0; k < points; ++k)
+        along.divide(LobeRule<S>::five, &at[1], &angle[1]);
+        for (std::size_t k = 0; k < points_of_row; ++k)
             work(mul_add(by_x, at[k].x, by_y * at[k].y), angle[k] * at[k].x * strength);
     }
 

@@ -90,7 +90,8 @@ template<CosineSum which, class S, class Lobe, std::size_t most>
 template<CosineSum which, class S, class Points, class Lobe>
 GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine, vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
-    GatheredPoints<S, which == CosineSum::whole ? most_row_points : 10> gathered; // of rows, or of a light
+    GatheredPoints<S, which == CosineSum::whole ? most_row_points : most_light_points>
+        gathered; // of rows, or of a light
     gathered.gather(points);
     PointSums<S> sums;
     sum_gathered<which>(gathered, lobe, cosine, v, sums);
@@ -98,6 +99,59 @@ GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe
 #else
     return point_sums<which>(points, lobe, cosine, v);
 #endif
+}
+
+// What a receiver sees of a light, in the frame of its lobe.
+template<class S, class Points>
+struct LobePose {
+    S n_dot_v;
+    simd::mask_of<S> seen; // n·v > 0
+    LtcFrame<S> frame;
+    LtcLobe<S> cosine;
+    vec3<S> v; // along the normal where it is not seen
+    Points points;
+    S size2, distance2; // after the transform
+
+    // Nothing of the light is above the horizon, or the eye is below it.
+    GONIO_FORCE_INLINE simd::mask_of<S> is_below() const {
+        return simd::either(points.patch.center.z < -points.rise(), !seen);
+    }
+};
+template<class S, class Light, class CosineOf>
+GONIO_FORCE_INLINE auto lobe_pose(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
+                                  const CosineOf& cosine_of) {
+    const S n_dot_v = dot(normal, view);
+    const auto seen = above_surface(n_dot_v);
+    const LtcFrame<S> frame = ltc_frame(normal, view);
+    const LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
+    const auto points = points_of(light, frame, to_center);
+    const vec3<S> c1 = cosine(points.patch.center);
+    using Points = decltype(points_of(light, frame, to_center));
+    return LobePose<S, Points>{n_dot_v,
+                               seen,
+                               frame,
+                               cosine,
+                               {-frame.sine, S(0), simd::select(seen, n_dot_v, S(1))},
+                               points,
+                               points.transformed_size2(cosine),
+                               simd::max(dot(c1, c1), S(1e-36))};
+}
+
+// The share of the transformed cosine by its sum, for the lobe's albedo.
+template<class S>
+GONIO_FORCE_INLINE S summed_share(const PointSums<S>& sums, const LtcLobe<S>& cosine, S albedo) {
+    constexpr double inverse_pi = 0.31830988618379067154;
+    const S determinant = cosine.m11 * simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
+    return sums.by_cosine * determinant * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
+}
+
+// 1/(1 + (κ + 1/κ − 2)/width²) for the ratio κ of a share by points and the exact one; the fraction is (ln κ/width)²
+// where κ is near 1.
+template<class S>
+GONIO_FORCE_INLINE S trust(S summed, S exact, double width) {
+    const S product = summed * exact;
+    const S apart = (summed - exact) * S(1.0 / width);
+    return product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
 }
 
 // Below these sizes (a length over its distance, after the transform) the light's own points are used; the second holds
@@ -171,17 +225,10 @@ GONIO_FORCE_INLINE S center_height(const TubePoints<S>& /*points*/, const TubeLi
 template<class S, class Light, template<class> class Lobe, class CosineOf>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
                                                      vec3<S> view, const Lobe<S>& lobe, const CosineOf& cosine_of) {
-    const S n_dot_v = dot(normal, view);
-    const auto seen = above_surface(n_dot_v);
-    const LtcFrame<S> frame = ltc_frame(normal, view);
-    const LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
-    const vec3<S> v{-frame.sine, S(0), simd::select(seen, n_dot_v, S(1))};
-    const auto points = detail::points_of(light, frame, to_center);
+    const auto pose = detail::lobe_pose(light, to_center, normal, view, cosine_of);
+    const auto& [n_dot_v, seen, frame, cosine, v, points, size2, distance2] = pose;
     const S height = detail::center_height(points, light, frame, to_center);
     const S rise = points.rise();
-    const vec3<S> c1 = cosine(points.patch.center);
-    const S distance2 = simd::max(dot(c1, c1), S(1e-36));
-    const S size2 = points.transformed_size2(cosine);
     constexpr double from2 = detail::rows_from * detail::rows_from;
     constexpr double from2_if_cut = detail::rows_from_if_cut * detail::rows_from_if_cut;
     const auto small = size2 < simd::select(simd::abs(height) < rise, S(from2_if_cut), S(from2)) * distance2;
@@ -197,15 +244,11 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         const auto region = detail::region_of(cosine, points, light, frame, to_center);
         const detail::RowPoints<S, decltype(region)> rows(region, cosine, lobe.alpha, v);
         const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::whole>(rows, lobe, cosine, v);
-        const S determinant = cosine.m11 * simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
         const S albedo = cosine.albedo * lobe.albedo_share(v.z);
         const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
-        constexpr double inverse_pi = 0.31830988618379067154;
-        const S c = sums.by_cosine * determinant * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
+        const S c = detail::summed_share(sums, cosine, albedo);
         const auto both = simd::both(k > S(0), c > S(0));
-        const S product = simd::select(both, k * c, S(0));
-        const S apart = (c - k) * S(1.0 / 0.2);
-        const S trust = product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
+        const S trust = detail::trust(c, k, 0.2);
         const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
         const S by_rows = sums.value * simd::mul_add(trust * trust, ratio - S(1), S(1));
         // In a light only the share is known. Rows of a light seen edge-on may be lost to rounding, or be elsewhere:
