@@ -1,6 +1,7 @@
 #include "light_input.hpp"
 
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/presets.hpp>
 #include <gonio/web/smooth.hpp>
@@ -125,9 +126,8 @@ std::vector<std::string> files_of(const Shape& shape) {
 }
 
 std::vector<std::string> files_of_color(const std::string& color) {
-    constexpr std::string_view prefix = "spectrum:";
-    if (!color.starts_with(prefix)) return {};
-    return {color.substr(prefix.size())};
+    if (!color.starts_with(spectrum_prefix)) return {};
+    return {color.substr(spectrum_prefix.size())};
 }
 
 std::string_view given_light_option(const Arguments& arguments) {

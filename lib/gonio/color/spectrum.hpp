@@ -75,6 +75,9 @@ Result<std::vector<Spectrum>> spectra_of(const Profile& profile);
 // From the bytes of a CSV file or of a TM-33 document; at least one spectrum. Fails (malformed, unsupported).
 Result<std::vector<Spectrum>> parse_spectra(const std::string& bytes, const std::string& source);
 
+// With it begin a colour and an efficacy that a spectrum gives; the text for read_spectrum() follows.
+inline constexpr std::string_view spectrum_prefix = "spectrum:";
+
 // "d65", "blackbody:2700K", or a file as above: any file, or if `files` is given, one that it allows. Fails (io,
 // malformed, usage, unsupported).
 Result<std::vector<Spectrum>> read_spectra(const std::string& text, FileScope* files = nullptr);

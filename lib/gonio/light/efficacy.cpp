@@ -29,8 +29,6 @@ constexpr std::array efficacies{
     NamedEfficacy{"sodium", 120.0, true, "per electrical watt, high-pressure sodium"},
 };
 
-constexpr std::string_view spectrum_prefix = "spectrum:";
-
 Result<Efficacy> efficacy_of_spectrum(const std::string& name, FileScope* files) {
     Result<Spectrum> spectrum = read_spectrum(name, files);
     if (!spectrum) return pass_on(spectrum);

@@ -24,8 +24,6 @@ Unexpected no_color(std::string_view text) {
                 "write 2700K, d65, #ffd9a0, rgb(1,0.8,0.6) or an illuminant of 'gonio list illuminants'");
 }
 
-constexpr std::string_view spectrum_prefix = "spectrum:";
-
 Result<Uv> color_of_spectrum(const Spectrum& spectrum) {
     Result<SpectrumColor> color = color_of(spectrum);
     if (!color) return pass_on(color);

@@ -101,7 +101,7 @@ bool is_near_opening(const Light& light, const glm::dvec3& position) {
     return size_m > 0.0 && glm::distance(position, light.frame.origin) < 5.0 * size_m;
 }
 
-// All but `unseen`, which is about receivers alone.
+// Without `unseen`, which is about receivers alone.
 std::array<ProbeOccurrence*, 5> occurrences_of_lights(ProbeRemarks& remarks) {
     return {&remarks.on_light, &remarks.inside, &remarks.near_point, &remarks.at_ceiling, &remarks.not_converged};
 }

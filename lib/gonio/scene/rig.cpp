@@ -5,6 +5,7 @@
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/detail/light_resolver.hpp>
 #include <gonio/scene/detail/rig_expand.hpp>
@@ -589,7 +590,7 @@ FileScope files_of(const std::string& folder, const RigReadOptions& options) {
 // A spectrum may be a pipe, which cannot be read twice. Its name may have escapes.
 bool may_read_twice(std::string_view text, const RigReadOptions& options) {
     return !options.allow_outside ||
-           (text.find("spectrum:") == std::string_view::npos && text.find("\\u") == std::string_view::npos);
+           (text.find(spectrum_prefix) == std::string_view::npos && text.find("\\u") == std::string_view::npos);
 }
 
 } // namespace

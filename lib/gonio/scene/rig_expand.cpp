@@ -28,7 +28,6 @@ constexpr std::array<std::string_view, 9> group_keys{"name",   "lights", "positi
 constexpr std::array<std::string_view, 3> array_keys{"count", "spacing", "room"};
 constexpr std::array<std::string_view, 7> placing_keys{"name",   "luminaire", "position", "positions",
                                                        "target", "direction", "up"};
-constexpr double farthest = 1e100; // [m], as a position in the file
 
 Result<void> check_keys(const Json& json, std::span<const std::string_view> known) {
     for (const auto& [key, value] : json.items())
@@ -276,8 +275,8 @@ private:
                 fmt::format("must be an array of {} numbers, not {}", most == 2 ? "two" : "two or three",
                             json.is_array() ? fmt::format("of {}", json.size()) : std::string(type_of(json))),
                 "in metres, for example [2.4, 1.8]");
-        if (!glm::all(glm::lessThanEqual(glm::abs(lengths), glm::dvec3(farthest))))
-            return rig_value_error("RIG0106", fmt::format("must lie within {} m", farthest));
+        if (!glm::all(glm::lessThanEqual(glm::abs(lengths), glm::dvec3(farthest_m))))
+            return rig_value_error("RIG0106", fmt::format("must lie within {} m", farthest_m));
         return lengths;
     }
 
@@ -375,9 +374,9 @@ private:
         SingleLight light{node.written, repeated_,
                           around.names.empty() && number.empty() ? node.name : around.names + node.name + number};
         light.position = around.point(at);
-        if (!glm::all(glm::lessThanEqual(glm::abs(light.position), glm::dvec3(farthest))))
+        if (!glm::all(glm::lessThanEqual(glm::abs(light.position), glm::dvec3(farthest_m))))
             return rig_error("RIG0106", source_, node.written.path,
-                             fmt::format("places '{}' farther away than {} m", light.name, farthest));
+                             fmt::format("places '{}' farther away than {} m", light.name, farthest_m));
         if (node.target && *node.target == at)
             return rig_error("RIG0106", source_, node.written.path + ".target",
                              fmt::format("is at the position of '{}', so there is no direction to it", light.name),

@@ -1,7 +1,9 @@
 #include <gonio/base/charconv.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/detail/rig_plain.hpp>
+#include <gonio/scene/detail/rig_values.hpp>
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -15,7 +17,6 @@ namespace gonio::detail {
 namespace {
 
 constexpr std::string_view json_blanks = " \t\r\n";
-constexpr double farthest = 1e100; // [m], as in rig_values
 
 // A place in the text. Where a function returns false or nothing, the text is not plain there.
 class Cursor {
@@ -209,7 +210,7 @@ std::optional<Values> read_values(Cursor& at) {
 }
 
 bool is_near(const std::optional<glm::dvec3>& position) {
-    return !position || glm::all(glm::lessThanEqual(glm::abs(*position), glm::dvec3(farthest)));
+    return !position || glm::all(glm::lessThanEqual(glm::abs(*position), glm::dvec3(farthest_m)));
 }
 
 bool is_zero(const std::optional<glm::dvec3>& vector) {
@@ -217,7 +218,7 @@ bool is_zero(const std::optional<glm::dvec3>& vector) {
 }
 
 bool names_spectrum(std::string_view text) {
-    return text.find("spectrum:") != std::string_view::npos;
+    return text.find(spectrum_prefix) != std::string_view::npos;
 }
 
 class Reader {
@@ -289,15 +290,20 @@ private:
         return true;
     }
 
+    // What a text means, if an earlier one of the rig or of the piece was the same.
+    template<class Value>
+    static bool is_known(const std::map<std::string, Value, std::less<>>& of_rig,
+                         const std::map<std::string_view, Value>& of_piece, std::string_view text, Value& target) {
+        const auto take = [&](const auto& texts) {
+            const auto known = texts.find(text);
+            if (known != texts.end()) target = known->second;
+            return known != texts.end();
+        };
+        return take(of_rig) || take(of_piece);
+    }
+
     bool set_color(std::string_view text, glm::dvec3& target) {
-        if (const auto known = known_.colors.find(text); known != known_.colors.end()) {
-            target = known->second;
-            return true;
-        }
-        if (const auto known = piece_.colors.find(text); known != piece_.colors.end()) {
-            target = known->second;
-            return true;
-        }
+        if (is_known(known_.colors, piece_.colors, text, target)) return true;
         if (names_spectrum(text)) return false;
         Diagnostics said;
         const Result<glm::dvec3> color = parse_light_color(text, &said);
@@ -308,14 +314,7 @@ private:
     }
 
     bool set_shape(std::string_view text, Shape& target) {
-        if (const auto known = known_.shapes.find(text); known != known_.shapes.end()) {
-            target = known->second;
-            return true;
-        }
-        if (const auto known = piece_.shapes.find(text); known != piece_.shapes.end()) {
-            target = known->second;
-            return true;
-        }
+        if (is_known(known_.shapes, piece_.shapes, text, target)) return true;
         Result<Shape> shape = parse_shape(text);
         if (!shape) return false;
         if (const std::string* const file = file_of(*shape); file != nullptr && !file->empty()) return false;

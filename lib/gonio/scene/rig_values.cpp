@@ -53,10 +53,9 @@ Result<glm::dvec3> vector_of(const Json& json) {
 }
 
 Result<glm::dvec3> position_of(const Json& json) {
-    constexpr double farthest = 1e100; // [m], the range of a probe
     Result<glm::dvec3> vector = vector_of(json);
-    if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest))))
-        return rig_value_error("RIG0106", fmt::format("must lie within {} m", farthest));
+    if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest_m))))
+        return rig_value_error("RIG0106", fmt::format("must lie within {} m", farthest_m));
     return vector;
 }
 

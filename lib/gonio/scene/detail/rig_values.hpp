@@ -26,7 +26,9 @@ Result<std::string> name_of(const Json& json);
 // Three numbers.
 Result<glm::dvec3> vector_of(const Json& json);
 
-// Within 1e100 m, the range of a probe.
+inline constexpr double farthest_m = 1e100; // in each direction: the range of a probe
+
+// Within farthest_m.
 Result<glm::dvec3> position_of(const Json& json);
 
 // Fails on a zero vector.
