@@ -34,6 +34,7 @@ struct SceneMaterial {
     double alpha = 1.0;               // the α in D and V; most targets take its root as roughness
     std::optional<GltfMaterial> gltf; // used instead by a target that has glTF's own material
     std::optional<Coat> coat;         // only for a target that has coats
+    bool is_anisotropic = false;      // its lobe, of which alpha is the mean
 
     // Whether the part reflects anything.
     bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }

@@ -85,6 +85,10 @@ SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
     case shading::LobeKind::none:
     case shading::LobeKind::ggx:
         break;
+    case shading::LobeKind::anisotropic_ggx:
+        if constexpr (lobe == shading::LobeKind::anisotropic_ggx)
+            made.is_anisotropic = made.has_lobe() && core.alphas.x != core.alphas.y;
+        break;
     case shading::LobeKind::ggx_and_more:
         losses.emplace_back("multiple scattering between its facets is left out");
         break;

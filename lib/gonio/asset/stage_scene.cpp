@@ -73,6 +73,8 @@ private:
         std::vector<std::string> losses;
         SceneMaterial material = scene_material(surface.material, losses);
         if (has_gltf_ && material.gltf) losses.clear();
+        // The shapes of the targets have no tangents.
+        if (material.is_anisotropic) losses.emplace_back("its anisotropic lobe is written as an even one");
         if (material.coat && has_coats_)
             losses.emplace_back("what its coat leaves of the material below follows the rule of the other program");
         else if (std::exchange(material.coat, std::nullopt))

@@ -103,7 +103,7 @@ Material scene_material(std::size_t kind, const BrdfParameters& parameters) {
             if constexpr (detail::is_color<std::decay_t<decltype(key)>>)
                 material.*key.member = glm::dvec3{number(), number(), number()};
             else
-                material.*key.member = number();
+                material.*key.member = number() * (key.form == KeyForm::degrees ? 360.0 : 1.0);
         });
         made = material;
     });

@@ -52,7 +52,7 @@ auto make(const BrdfParameters& from) {
         if constexpr (detail::is_color<std::decay_t<decltype(key)>>)
             return shading::vec3<S>{number(), number(), number()};
         else
-            return number();
+            return key.form == KeyForm::degrees ? number() * S(360) : number();
     };
     return std::apply(
         [&](const auto&... key) {

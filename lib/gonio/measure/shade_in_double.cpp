@@ -43,6 +43,14 @@ requires(!IsSun<CoreLight>) SpecularLuminance<double> specular(SpecularMethod me
                               lobe.alpha);
 }
 
+template<class CoreLight>
+requires(!IsSun<CoreLight>) SpecularLuminance<double> specular(SpecularMethod method, const Point& point,
+                                                               const CoreLight& light,
+                                                               const AnisotropicGgxLobe<double>& lobe) {
+    return specular_in_double(method, light, shading::detail::way_to(light, point.position), point.normal, point.view,
+                              lobe);
+}
+
 // Attenuates the diffuse part and adds the coat's lobe.
 template<class CoreLight>
 [[gnu::noinline]] void add_coat(const Point& point, const CoreLight& light, SpecularMethod method,

@@ -88,8 +88,7 @@ constexpr double weights[order] = {0.12948496616886969, 0.27970539148927667, 0.3
 template<class Region>
 class Integral {
 public:
-    Integral(const Region& region, Vec normal, Vec view, double alpha)
-        : region_(region), normal_(normal), view_(view), alpha_(alpha) {}
+    Integral(const Region& region, Vec normal, const LobeValue& lobe) : region_(region), normal_(normal), lobe_(lobe) {}
 
     double value() {
         constexpr int cells = 12;
@@ -121,8 +120,7 @@ private:
                 const Vec l = shading::normalized(p.toward);
                 const double cosine = dot(normal_, l);
                 if (cosine <= 0.0) continue;
-                sum += weights[i] * weights[k] * p.density * cosine *
-                       shading::specular_ggx(normal_, l, view_, alpha_, alpha_).scale;
+                sum += weights[i] * weights[k] * p.density * cosine * lobe_(l);
             }
         return sum * side * side * 0.25;
     }
@@ -137,8 +135,8 @@ private:
     }
 
     const Region& region_;
-    Vec normal_, view_;
-    double alpha_;
+    Vec normal_;
+    const LobeValue& lobe_;
     double tolerance_ = 0.0;
 };
 
@@ -198,10 +196,16 @@ double over_light(const shading::LightConstants& light, Vec center, Vec normal, 
 } // namespace
 
 double specular_by_quadrature(const shading::LightConstants& light, shading::vec3<double> center,
-                              shading::vec3<double> normal, shading::vec3<double> view, double alpha) {
+                              shading::vec3<double> normal, shading::vec3<double> view, const LobeValue& lobe) {
     if (light.kind == Kind::punctual || dot(normal, view) <= 0.0) return 0.0;
     return over_light(light, center, normal,
-                      [&](const auto& region) { return Integral(region, normal, view, alpha).value(); });
+                      [&](const auto& region) { return Integral(region, normal, lobe).value(); });
+}
+
+double specular_by_quadrature(const shading::LightConstants& light, shading::vec3<double> center,
+                              shading::vec3<double> normal, shading::vec3<double> view, double alpha) {
+    return specular_by_quadrature(light, center, normal, view,
+                                  [&](Vec l) { return shading::specular_ggx(normal, l, view, alpha, alpha).scale; });
 }
 
 } // namespace gonio::measure

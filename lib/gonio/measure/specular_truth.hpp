@@ -4,6 +4,8 @@
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/vec3.hpp>
 
+#include <functional>
+
 namespace gonio::measure {
 
 // Luminance towards `view` per luminance of the light, of GGX with F = 1 (single scattering) at the origin: ∫ D V n·l
@@ -14,5 +16,10 @@ namespace gonio::measure {
 // millisecond.
 double specular_by_quadrature(const shading::LightConstants& light, shading::vec3<double> center,
                               shading::vec3<double> normal, shading::vec3<double> view, double alpha);
+
+// The same of any lobe: its value [1/sr] for light from l, unit and above the surface.
+using LobeValue = std::function<double(shading::vec3<double> l)>;
+double specular_by_quadrature(const shading::LightConstants& light, shading::vec3<double> center,
+                              shading::vec3<double> normal, shading::vec3<double> view, const LobeValue& lobe);
 
 } // namespace gonio::measure

@@ -1,15 +1,39 @@
 #include <gonio/scene/core_material.hpp>
 
+#include <type_traits>
+
 namespace gonio {
 
+namespace {
+
+// Of a material without a coat.
+template<class Cores, class M>
+Cores core_of(const M& material) {
+    if constexpr (requires { MaterialDescription<M>::simpler(material); })
+        if (const auto simpler = MaterialDescription<M>::simpler(material)) return *simpler;
+    return core_material(material);
+}
+
+} // namespace
+
+shading::AnyMaterial core_material(const BaseMaterial& material) {
+    return std::visit([](const auto& m) { return core_of<shading::AnyMaterial>(m); }, material);
+}
+
 shading::Coated core_material(const CoatedMaterial& material) {
-    const shading::AnyMaterial base =
-        std::visit([](const auto& m) { return shading::AnyMaterial(core_material(m)); }, material.base);
-    return shading::coated_material(base, material.coat.amount, material.coat.smoothness, material.coat.order);
+    const Coat& coat = material.coat;
+    return shading::coated_material(core_material(material.base), coat.amount, coat.smoothness, coat.order);
 }
 
 CoreMaterial core_material(const Material& material) {
-    return std::visit([](const auto& m) { return CoreMaterial(core_material(m)); }, material);
+    return std::visit(
+        []<class M>(const M& m) -> CoreMaterial {
+            if constexpr (std::is_same_v<M, CoatedMaterial>)
+                return core_material(m);
+            else
+                return core_of<CoreMaterial>(m);
+        },
+        material);
 }
 
 } // namespace gonio

@@ -6,27 +6,28 @@
 #include <gonio/shading/brdf.hpp>
 #include <gonio/shading/coated.hpp>
 
-#include <utility>
 #include <variant>
 
 namespace gonio {
 
-// Calls core_material() of the base and puts the coat on it.
-shading::Coated core_material(const CoatedMaterial& material);
-
 namespace detail {
 
-template<class Materials>
+template<class List>
 struct CoresOf;
-template<class... M>
-struct CoresOf<std::variant<M...>> {
-    using type = std::variant<decltype(core_material(std::declval<const M&>()))...>;
+template<template<class> class... Core>
+struct CoresOf<shading::MaterialList<Core...>> {
+    using type = std::variant<Core<double>..., shading::Coated>;
 };
 
 } // namespace detail
 
-using CoreMaterial = detail::CoresOf<Material>::type;
+using CoreMaterial = detail::CoresOf<shading::Materials>::type;
 
+// By the simpler BRDF where a description has one.
+shading::AnyMaterial core_material(const BaseMaterial& material);
 CoreMaterial core_material(const Material& material);
+
+// The same of the base, with the coat on it.
+shading::Coated core_material(const CoatedMaterial& material);
 
 } // namespace gonio

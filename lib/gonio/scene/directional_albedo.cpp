@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <type_traits>
 #include <variant>
 
 namespace gonio {
@@ -13,6 +15,14 @@ namespace gonio {
 namespace {
 
 using Vec = shading::vec3<double>;
+
+template<class Core>
+bool is_anisotropic(const Core& core) {
+    if constexpr (std::is_same_v<Core, shading::Coated>)
+        return std::visit([](const auto& base) { return is_anisotropic(base); }, core.base);
+    else
+        return Core::lobe == shading::LobeKind::anisotropic_ggx;
+}
 
 } // namespace
 
@@ -22,19 +32,26 @@ DirectionalAlbedo::DirectionalAlbedo(const CoreMaterial& material, Fineness fine
         return;
     }
     const int nodes = fineness == Fineness::fine ? 48 : 16;
-    const int directions = fineness == Fineness::fine ? 1024 : 256;
+    const int per_view = fineness == Fineness::fine ? 1024 : 256;
     // The lattice of the three-dimensional golden ratio (M. Roberts, 2018).
     constexpr double g = 1.2207440846057596;
     const auto fraction = [](double x) { return x - std::floor(x); };
     std::visit(
         [&](const auto& core) {
+            const bool turns = is_anisotropic(core);
+            const int directions = turns ? 4 * per_view : per_view;
             for (int node = 0; node < nodes; ++node) {
                 const double root = std::max(node / (nodes - 1.0), 1e-3);
                 const double cosine = root * root;
                 const Vec n{0.0, 0.0, 1.0};
-                const Vec v{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
+                const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+                Vec v{sine, 0.0, cosine};
                 glm::dvec3 sum(0.0);
                 for (int i = 0; i < directions; ++i) {
+                    if (turns) {
+                        const double azimuth = 2.0 * std::numbers::pi * (i + 0.5) / directions;
+                        v = {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
+                    }
                     const auto sample = shading::sample_brdf(
                         core, n, v,
                         {fraction(0.5 + i / g), fraction(0.5 + i / (g * g)), fraction(0.5 + i / (g * g * g))});

@@ -10,9 +10,9 @@
 
 namespace gonio {
 
-// The luminance of a surface under a uniform sky of luminance 1: its directional albedo, by channel. A table over the
-// cosine of the view, computed once per material; Lambert's is exact, others are within 0.5 % (a lattice of 1024
-// directions each).
+// The luminance of a surface under a uniform sky of luminance 1: its directional albedo, by channel; of an anisotropic
+// one its mean over all azimuths. A table over the cosine of the view, computed once per material; Lambert's is exact,
+// others are within 0.5 % (a lattice of 1024 directions each).
 class DirectionalAlbedo {
 public:
     enum class Fineness : std::uint8_t {

@@ -13,8 +13,12 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
-// Colours are linear Rec.709, each channel in [0, 1]; every number here is in [0, 1] too. An α of 0 counts as 1e-4: a
-// mirror's lobe.
+// Colours are linear Rec.709, each channel in [0, 1]; every number without a unit is in [0, 1] too. An α of 0 counts as
+// 1e-4: a mirror's lobe.
+//
+// A lobe with an anisotropy is wider along the tangent of a surface, as on brushed metal. The tangent is level,
+// counter-clockwise about the vertical, and along X on a level surface; `rotation_deg` turns it counter-clockwise, seen
+// from outside.
 struct LambertMaterial {
     glm::dvec3 albedo{0.5};
 };
@@ -23,6 +27,8 @@ struct LambertMaterial {
 struct GgxMaterial {
     glm::dvec3 f0{1.0};
     double alpha = 0.3;
+    double anisotropy = 0.0; // of OpenPBR: α_y = (1 − anisotropy) α_x, α_x² + α_y² = 2 α²
+    double rotation_deg = 0.0;
 };
 
 // The same with multiple scattering between facets (Kulla and Conty 2017): f0 = 1 reflects all light.
@@ -53,6 +59,8 @@ struct GltfMaterial {
     glm::dvec3 base{0.5};
     double metallic = 0.0;
     double roughness = 0.4;
+    double anisotropy = 0.0; // the strength of KHR_materials_anisotropy: α_x = lerp(α, 1, strength²), α_y = α
+    double rotation_deg = 0.0;
 
     friend bool operator==(const GltfMaterial&, const GltfMaterial&) = default;
 };

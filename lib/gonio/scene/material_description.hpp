@@ -10,6 +10,9 @@
 //       those of M's members.
 //   core(values of the keys in their order)
 //       Its BRDF of shading/brdf_*.hpp, for numbers S and colours vec3<S>.
+//   simpler(const M&)
+//       Only where there is one: a BRDF that is the same for some values of the keys and takes less time, if they are
+//       these.
 //   chart_colors(const M&)
 //       The colours that the artists' charts judge.
 //
@@ -23,6 +26,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -35,11 +39,12 @@ namespace gonio {
 
 enum class KeyForm : std::uint8_t {
     plain,
-    alpha,     // α: the grammar takes its root, `roughness`, instead
-    smoothness // 1 − roughness: a sweep can set it by that too
+    alpha,      // α: the grammar takes its root, `roughness`, instead
+    smoothness, // 1 − roughness: a sweep can set it by that too
+    degrees     // a whole turn at most, either way
 };
 
-// A number in [0, 1] where Value is double, a colour where it is glm::dvec3.
+// A number in [0, 1], or an angle, where Value is double, a colour where it is glm::dvec3.
 template<class M, class Value>
 struct MaterialKey {
     std::string_view name;
@@ -72,6 +77,13 @@ inline ChartColors metallic_chart_colors(const glm::dvec3& base, double metallic
 
 template<class M>
 struct MaterialDescription;
+
+// A lobe's tangent in a scene (material.hpp): the vertical is across it.
+template<class S>
+shading::Grain<S> grain_of(S rotation_deg) {
+    const S angle = rotation_deg * S(std::numbers::pi / 180.0);
+    return {{S(0), S(0), S(1)}, simd::cos(angle), simd::sin(angle)};
+}
 
 // Whether the materials are of one kind and have the same numbers.
 bool are_same(const Material& a, const Material& b);
@@ -160,15 +172,23 @@ template<>
 struct MaterialDescription<GltfMaterial> {
     static constexpr std::string_view kind = "gltf";
     // glTF's own defaults, 1 each, are a rough white metal; with these the material can be compared with ue4.
-    static constexpr std::string_view summary =
-        "metallic-roughness of glTF 2.0 (appendix B); defaults as ue4's, where glTF has 1";
-    static constexpr std::tuple keys{ColorKey<GltfMaterial>{"base", &GltfMaterial::base},
-                                     NumberKey<GltfMaterial>{"metallic", &GltfMaterial::metallic},
-                                     NumberKey<GltfMaterial>{"roughness", &GltfMaterial::roughness}};
+    static constexpr std::string_view summary = "metallic-roughness of glTF 2.0 (appendix B), with "
+                                                "KHR_materials_anisotropy; defaults as ue4's, where glTF has 1";
+    static constexpr std::tuple keys{
+        ColorKey<GltfMaterial>{"base", &GltfMaterial::base},
+        NumberKey<GltfMaterial>{"metallic", &GltfMaterial::metallic},
+        NumberKey<GltfMaterial>{"roughness", &GltfMaterial::roughness},
+        NumberKey<GltfMaterial>{"anisotropy", &GltfMaterial::anisotropy},
+        NumberKey<GltfMaterial>{"rotation", &GltfMaterial::rotation_deg, KeyForm::degrees}};
 
     template<class S>
-    static shading::Gltf<S> core(shading::vec3<S> base, S metallic, S roughness) {
-        return shading::gltf_material(base, metallic, roughness);
+    static shading::Anisotropic<S> core(shading::vec3<S> base, S metallic, S roughness, S anisotropy, S rotation_deg) {
+        const shading::Gltf<S> even = shading::gltf_material(base, metallic, roughness);
+        return {even.albedo, even.f0, even.f90, shading::gltf_alpha(even.alpha, anisotropy), grain_of(rotation_deg)};
+    }
+    static std::optional<shading::Gltf<double>> simpler(const GltfMaterial& m) {
+        if (m.anisotropy != 0.0) return {};
+        return shading::gltf_material(shading::vec3<double>{m.base.x, m.base.y, m.base.z}, m.metallic, m.roughness);
     }
     static ChartColors chart_colors(const GltfMaterial& m) {
         return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
@@ -198,13 +218,20 @@ struct MaterialDescription<BlinnMaterial> {
 template<>
 struct MaterialDescription<GgxMaterial> {
     static constexpr std::string_view kind = "ggx";
-    static constexpr std::string_view summary = "GGX only, single scattering; or roughness, the root of alpha";
+    static constexpr std::string_view summary =
+        "GGX only, single scattering, anisotropic as OpenPBR's; or roughness, the root of alpha";
     static constexpr std::tuple keys{ColorKey<GgxMaterial>{"f0", &GgxMaterial::f0},
-                                     NumberKey<GgxMaterial>{"alpha", &GgxMaterial::alpha, KeyForm::alpha}};
+                                     NumberKey<GgxMaterial>{"alpha", &GgxMaterial::alpha, KeyForm::alpha},
+                                     NumberKey<GgxMaterial>{"anisotropy", &GgxMaterial::anisotropy},
+                                     NumberKey<GgxMaterial>{"rotation", &GgxMaterial::rotation_deg, KeyForm::degrees}};
 
     template<class S>
-    static shading::Ggx<S> core(shading::vec3<S> f0, S alpha) {
-        return {f0, alpha};
+    static shading::Anisotropic<S> core(shading::vec3<S> f0, S alpha, S anisotropy, S rotation_deg) {
+        return {{S(0), S(0), S(0)}, f0, S(1), shading::openpbr_alpha(alpha, anisotropy), grain_of(rotation_deg)};
+    }
+    static std::optional<shading::Ggx<double>> simpler(const GgxMaterial& m) {
+        if (m.anisotropy != 0.0) return {};
+        return shading::Ggx<double>{{m.f0.x, m.f0.y, m.f0.z}, m.alpha};
     }
     static ChartColors chart_colors(const GgxMaterial& m) { return {{ChartColor::As::specular, "f0", m.f0}}; }
 };

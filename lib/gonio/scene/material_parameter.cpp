@@ -27,12 +27,19 @@ struct NamedParameter {
 };
 
 constexpr std::array parameters{
-    NamedParameter{"albedo", "0.5", ""},     NamedParameter{"base", "0.5", "base colour"},
-    NamedParameter{"f0", "0.9", ""},         NamedParameter{"roughness", "0.4", ""},
-    NamedParameter{"smoothness", "0.6", ""}, NamedParameter{"alpha", "0.3", "the square of roughness"},
-    NamedParameter{"metallic", "1", ""},     NamedParameter{"reflectance", "0.5", ""},
-    NamedParameter{"specular", "0.5", ""},   NamedParameter{"cavity", "0.5", ""},
+    NamedParameter{"albedo", "0.5", ""},
+    NamedParameter{"base", "0.5", "base colour"},
+    NamedParameter{"f0", "0.9", ""},
+    NamedParameter{"roughness", "0.4", ""},
+    NamedParameter{"smoothness", "0.6", ""},
+    NamedParameter{"alpha", "0.3", "the square of roughness"},
+    NamedParameter{"metallic", "1", ""},
+    NamedParameter{"reflectance", "0.5", ""},
+    NamedParameter{"specular", "0.5", ""},
+    NamedParameter{"cavity", "0.5", ""},
     NamedParameter{"wet", "0.5", ""},
+    NamedParameter{"anisotropy", "0.5", "how much wider the lobe is along the tangent"},
+    NamedParameter{"rotation", "30", "of the tangent, in degrees"},
 };
 
 template<class M>

@@ -42,18 +42,16 @@ template<class CoreLight>
     return shading::coat_under(point, light, coat, lobe);
 }
 
-// The sun as a sphere at distance 1 is the same cap; limited to less than a hemisphere, where that sphere would touch
-// the receiver.
-shading::SphereLight<double> as_sphere(const shading::SunLight<double>& sun) {
-    return {sun.toward, sun.luminance, std::min(sun.sine, 1.0 - 1e-12), 0.0};
-}
+// Has a lobe, and nothing beside it, for which there are the methods by name.
+template<class Core>
+constexpr bool has_named = Core::lobe == shading::LobeKind::ggx || Core::lobe == shading::LobeKind::anisotropic_ggx;
 
 struct ByMethod {
     const shading::SurfacePoint<double>& point; // at the origin
     const Material& material;
     IrradianceMethod method;
 
-    NamedLuminance operator()(const shading::SunLight<double>& sun) const { return (*this)(as_sphere(sun)); }
+    NamedLuminance operator()(const shading::SunLight<double>& sun) const { return (*this)(shading::as_sphere(sun)); }
     template<class CoreLight>
     NamedLuminance operator()(const CoreLight& core_light) const {
         return std::visit(
@@ -63,9 +61,9 @@ struct ByMethod {
                     nt = coated(core_light, core);
                 } else {
                     nt.diffuse_nt = y_of(core_light.luminance * diffuse(core_light, core));
-                    if constexpr (Core::lobe == shading::LobeKind::ggx) {
+                    if constexpr (has_named<Core>) {
                         const auto gloss = shading::gloss(core);
-                        const auto share = specular(core_light, gloss.lobe.alpha);
+                        const auto share = specular(core_light, gloss.lobe);
                         const auto channel = [&](double f0) {
                             return gloss.factor * share.scale * (f0 + (gloss.f90 - f0) * share.grazing);
                         };
@@ -82,9 +80,16 @@ private:
     static double y_of(Vec rgb) { return glm::dot(glm::dvec3(rgb.x, rgb.y, rgb.z), rec709_luminance); }
 
     template<class CoreLight>
-    shading::SpecularLuminance<double> specular(const CoreLight& core_light, double alpha) const {
+    shading::SpecularLuminance<double> specular(const CoreLight& core_light,
+                                                const shading::GgxLobe<double>& lobe) const {
         return shading::specular_in_double(specular_method(method), core_light, core_light.center, point.normal,
-                                           point.view, alpha);
+                                           point.view, lobe.alpha);
+    }
+    template<class CoreLight>
+    shading::SpecularLuminance<double> specular(const CoreLight& core_light,
+                                                const shading::AnisotropicGgxLobe<double>& lobe) const {
+        return shading::specular_in_double(specular_method(method), core_light, core_light.center, point.normal,
+                                           point.view, lobe);
     }
 
     // Per luminance of the light.
@@ -100,18 +105,18 @@ private:
     template<class CoreLight>
     NamedLuminance coated(const CoreLight& core_light, const shading::Coated& core) const {
         const shading::Coat<double>& coat = core.coat;
-        const auto top = specular(core_light, shading::coat_alpha(coat));
+        const auto top = specular(core_light, shading::GgxLobe<double>{shading::coat_alpha(coat)});
         const double shine = shading::coat_reflected(coat, shading::SpecularTerms<double>{top.scale, top.grazing});
         Vec lobes{shine, shine, shine};
         return std::visit(
             [&]<class Base>(const Base& base) {
                 shading::BaseLobe<double> lobe{1.0, false, {0.0, 0.0}};
-                if constexpr (Base::lobe == shading::LobeKind::ggx) {
-                    const auto share = specular(core_light, shading::gloss(base).lobe.alpha);
+                if constexpr (has_named<Base>) {
+                    const auto share = specular(core_light, shading::gloss(base).lobe);
                     lobe = {shading::gloss(base).lobe.alpha, true, {share.scale, share.grazing}};
                 }
                 const auto left = under(point, core_light, coat, lobe);
-                if constexpr (Base::lobe == shading::LobeKind::ggx) {
+                if constexpr (has_named<Base>) {
                     const auto gloss = shading::gloss(base);
                     lobes = lobes + left.lobe.reflected(gloss.f0, gloss.f90, gloss.factor, lobe.seen);
                 }
@@ -165,8 +170,8 @@ bool is_specular_method(IrradianceMethod method) {
 bool has_named_lobe(const Material& material) {
     return std::visit(
         [](const auto& m) {
-            constexpr shading::LobeKind lobe = decltype(core_material(m))::lobe;
-            return lobe == shading::LobeKind::none || lobe == shading::LobeKind::ggx;
+            using Core = decltype(core_material(m));
+            return Core::lobe == shading::LobeKind::none || has_named<Core>;
         },
         base_of(material));
 }

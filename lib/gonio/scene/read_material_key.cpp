@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +27,24 @@ Result<void> read_share(const KindText& text, std::string_view key, double& targ
     if (!number) return fail("USE0105", fmt::format("{} of '{}' is not a number: '{}'", key, text.kind, *value));
     if (*number < 0.0 || *number > 1.0) return outside(text, key, *value);
     target = *number;
+    return {};
+}
+
+Result<void> read_degrees(const KindText& text, std::string_view key, double& target) {
+    const std::string* value = text.value(key);
+    if (value == nullptr) return {};
+    std::optional<double> degrees = parse_number(*value);
+    if (!degrees) {
+        const Result<double> radians = parse_amount(*value, Dimension::angle, key);
+        if (!radians)
+            return fail("USE0105", fmt::format("{} of '{}' is not an angle: '{}'", key, text.kind, *value),
+                        "write degrees, such as 30 or 30deg");
+        degrees = *radians * (180.0 / std::numbers::pi);
+    }
+    if (std::fabs(*degrees) > 360.0)
+        return fail("USE0106",
+                    fmt::format("{} of '{}' must lie in [-360, 360] degrees, not {}", key, text.kind, *value));
+    target = *degrees;
     return {};
 }
 

@@ -6,15 +6,14 @@ namespace gonio::detail {
 SurfaceParts surface_parts(const Material& material) {
     using Vec = shading::vec3<double>;
     return std::visit(
-        [](const auto& m) {
-            const auto core = core_material(m);
+        [](const auto& core) {
             return SurfaceParts{
                 [core](Vec n, Vec l, Vec v) { return shading::diffuse_part(core, n, l, v); },
                 [core](Vec n, Vec l, Vec v) { return shading::specular_part(core, n, l, v, 0.0); },
                 shading::lobe_alpha(core),
             };
         },
-        material);
+        core_material(material));
 }
 
 } // namespace gonio::detail

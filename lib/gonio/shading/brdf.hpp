@@ -4,6 +4,7 @@
 // `Materials`. If a material in the list lacks a part, the library does not compile.
 #pragma once
 
+#include <gonio/shading/brdf_anisotropic.hpp>
 #include <gonio/shading/brdf_blinn.hpp>
 #include <gonio/shading/brdf_eon.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
@@ -22,7 +23,7 @@ namespace gonio::shading {
 template<template<class> class... Material>
 struct MaterialList {};
 
-using Materials = MaterialList<Lambert, Eon, Frostbite, Ue4, Gltf, Blinn, Ggx, KullaConty>;
+using Materials = MaterialList<Lambert, Eon, Frostbite, Ue4, Gltf, Anisotropic, Blinn, Ggx, KullaConty>;
 
 template<template<class> class Material>
 concept Glossy = Material<double>::lobe != LobeKind::none;

@@ -76,9 +76,11 @@ GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, 
 // The lobe of a power of n·h; `alpha` is that of the GGX lobe with the same peak.
 template<class S>
 struct CosinePowerLobe {
+    static constexpr bool is_even = true; // the same in all directions of the surface
+
     S alpha, power;
 
-    GONIO_FORCE_INLINE S value(S /*n_dot_l*/, S /*n_dot_v*/, const HalfVector<S>& h) const {
+    GONIO_FORCE_INLINE S value(vec3<S> /*l*/, vec3<S> /*v*/, const HalfVector<S>& h) const {
         return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
     }
     // Without shadowing V is 1/4; this is its ratio to the V of GGX for light from the mirrored eye.
@@ -86,6 +88,8 @@ struct CosinePowerLobe {
         const S mu = simd::max(n_dot_v, S(least_cosine));
         return S(0.25) / visibility_ggx(mu, mu, alpha);
     }
+    GONIO_FORCE_INLINE EvenSlopes<S> slopes() const { return {S(1) / simd::max(alpha, S(minimum_alpha))}; }
+    GONIO_FORCE_INLINE S width(vec2<S> /*direction*/) const { return alpha; }
 
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
         const S less = simd::max(S(2) / (widened * widened) - S(2), S(0));

@@ -59,7 +59,8 @@ enum class Scattering : unsigned char {
 enum class LobeKind : unsigned char {
     none,
     ggx,
-    ggx_and_more, // plus multiple_scattering(m, n, l, v), the light that the lobe loses; there is no diffuse part
+    anisotropic_ggx, // wider along the surface's tangent than across it
+    ggx_and_more,    // plus multiple_scattering(m, n, l, v), the light that the lobe loses; there is no diffuse part
     cosine_power
 };
 
@@ -88,6 +89,9 @@ struct TangentFrame {
         x = {S(1) + sign * n.x * n.x * a, sign * b, -(sign * n.x)};
         y = {b, sign + n.y * n.y * a, -n.y};
     }
+    // `tangent` is unit and perpendicular to the normal.
+    GONIO_FORCE_INLINE TangentFrame(vec3<S> tangent, vec3<S> normal)
+        : x(tangent), y(cross(normal, tangent)), n(normal) {}
     GONIO_FORCE_INLINE vec3<S> to_local(vec3<S> world) const { return {dot(x, world), dot(y, world), dot(n, world)}; }
     GONIO_FORCE_INLINE vec3<S> to_world(vec3<S> local) const { return x * local.x + y * local.y + n * local.z; }
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gonio/shading/ggx.hpp>
+#include <gonio/shading/vec2.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -17,6 +18,8 @@ struct HalfVector {
     S along2;  // (n·h)²
     S across2; // ‖n×h‖², which does not cancel
     S l_dot_h;
+    vec3<S> sum; // l + v, for lobes that are not the same in all directions
+    S square;    // of its length
 };
 
 // l and v are of unit length, in a frame with the normal as z. Any value where both are in the surface and opposite.
@@ -26,23 +29,36 @@ GONIO_FORCE_INLINE HalfVector<S> half_vector(vec3<S> l, vec3<S> v) {
     const S across2 = simd::mul_add(h.x, h.x, h.y * h.y);
     const S square = simd::max(simd::mul_add(h.z, h.z, across2), S(1e-36));
     const S inverse = S(1) / square;
-    return {h.z * h.z * inverse, across2 * inverse, S(0.5) * simd::sqrt(square)};
+    return {h.z * h.z * inverse, across2 * inverse, S(0.5) * simd::sqrt(square), h, square};
 }
+
+// Slopes of half vectors over the width of a lobe that is the same in all directions.
+template<class S>
+struct EvenSlopes {
+    S inverse_width;
+
+    GONIO_FORCE_INLINE vec2<S> operator()(vec2<S> slope) const { return slope * inverse_width; }
+};
 
 // GGX of α ≥ minimum_alpha.
 template<class S>
 struct GgxLobe {
+    static constexpr bool is_even = true; // the same in all directions of the surface
+
     S alpha;
 
     // The lobe [1/sr] for F = 1 in the surface's own frame; n·l, n·v > 0.
-    GONIO_FORCE_INLINE S value(S n_dot_l, S n_dot_v, const HalfVector<S>& h) const {
+    GONIO_FORCE_INLINE S value(vec3<S> l, vec3<S> v, const HalfVector<S>& h) const {
         const S t = simd::mul_add(alpha * alpha, h.along2, h.across2);
-        const S v = n_dot_l * widened_cosine_ggx(n_dot_v, alpha);
-        const S l = n_dot_v * widened_cosine_ggx(n_dot_l, alpha);
-        return alpha * alpha * S(0.5 * std::numbers::inv_pi) / (t * t * (v + l));
+        const S of_v = l.z * widened_cosine_ggx(v.z, alpha);
+        const S of_l = v.z * widened_cosine_ggx(l.z, alpha);
+        return alpha * alpha * S(0.5 * std::numbers::inv_pi) / (t * t * (of_v + of_l));
     }
     // The ratio of this lobe's directional albedo to that of the GGX lobe with the same α.
     GONIO_FORCE_INLINE S albedo_share(S /*n_dot_v*/) const { return S(1); }
+
+    GONIO_FORCE_INLINE EvenSlopes<S> slopes() const { return {S(1) / simd::max(alpha, S(minimum_alpha))}; }
+    GONIO_FORCE_INLINE S width(vec2<S> /*direction*/) const { return alpha; }
 
     // `widened` is α or more: ggx.hpp.
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {

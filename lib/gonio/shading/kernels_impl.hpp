@@ -213,6 +213,13 @@ void glossy_under(const Surfaces& part, const LightConstants& light, const Cosin
     specular.specular_power(part, light, lobe.power, light.specular_method, &under.scale[0], &under.grazing[0]);
 }
 
+template<class S, const SpecularKernels& specular>
+void glossy_under(const Surfaces& part, const LightConstants& light, const AnisotropicGgxLobe<float>& lobe,
+                  PartUnderLight<S>& under) {
+    specular.specular_anisotropic(part, light, constants_of(lobe), light.specular_method, &under.scale[0],
+                                  &under.grazing[0]);
+}
+
 // The reflectance of a base's lobe, 0 without one, and the α of its width.
 struct LobeReflectance {
     float f0[3] = {};

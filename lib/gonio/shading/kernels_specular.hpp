@@ -13,6 +13,13 @@
 
 namespace gonio::shading {
 
+// GGX with α_x along the tangent of each surface point and α_y across it (anisotropic_lobe.hpp).
+struct AnisotropicLobeConstants {
+    float alpha[2] = {0.3F, 0.3F}; // x and y; less than minimum_alpha counts as that
+    float across[3] = {0.0F, 0.0F, 1.0F};
+    float cosine = 1.0F, sine = 0.0F;
+};
+
 struct SpecularKernels {
     simd::InstructionSet set;
     const char* name; // of the instruction set
@@ -26,6 +33,10 @@ struct SpecularKernels {
     // The same for a power of n·h, ≥ 2 (brdf_blinn.hpp).
     void (*specular_power)(const Surfaces&, const LightConstants& light, float power, SpecularMethod, float* scale,
                            float* grazing);
+
+    // The same for an anisotropic lobe.
+    void (*specular_anisotropic)(const Surfaces&, const LightConstants& light, const AnisotropicLobeConstants& lobe,
+                                 SpecularMethod, float* scale, float* grazing);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

@@ -2,8 +2,10 @@
 // kernels_impl.hpp applies here too.
 #pragma once
 
+#include <gonio/shading/anisotropic_lobe.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/packet.hpp>
+#include <gonio/shading/specular_in_double.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/shading/specular_tables.hpp>
 
@@ -20,10 +22,11 @@ struct AnyLobe {
     GONIO_FORCE_INLINE AnyLobe(GgxLobe<S> lobe) : alpha(lobe.alpha), power(S(0)), is_power(false) {}
     GONIO_FORCE_INLINE AnyLobe(CosinePowerLobe<S> lobe) : alpha(lobe.alpha), power(lobe.power), is_power(true) {}
 
-    GONIO_FORCE_INLINE S value(S n_dot_l, S n_dot_v, const HalfVector<S>& h) const {
-        return is_power ? CosinePowerLobe<S>{alpha, power}.value(n_dot_l, n_dot_v, h)
-                        : GgxLobe<S>{alpha}.value(n_dot_l, n_dot_v, h);
+    GONIO_FORCE_INLINE S value(vec3<S> l, vec3<S> v, const HalfVector<S>& h) const {
+        return is_power ? CosinePowerLobe<S>{alpha, power}.value(l, v, h) : GgxLobe<S>{alpha}.value(l, v, h);
     }
+    GONIO_FORCE_INLINE EvenSlopes<S> slopes() const { return GgxLobe<S>{alpha}.slopes(); }
+    GONIO_FORCE_INLINE S width(vec2<S> /*direction*/) const { return alpha; }
     GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
         return is_power ? CosinePowerLobe<S>{alpha, power}.albedo_share(n_dot_v) : S(1);
     }
@@ -95,19 +98,27 @@ void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_co
     });
 }
 
+// A lobe that is not the same in all directions of the surface has a row of the table for each point.
+template<class S, class Light>
+void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_constants,
+                        const AnisotropicGgxLobe<S>& lobe, float* scale, float* grazing) {
+    specular_batch<S, Light, AnisotropicGgxLobe<S>, SpecularMethod::ltc>(surfaces, light_constants, lobe, scale,
+                                                                         grazing);
+}
+
 // With GONIO_STANDARD_METHODS, where nobody can choose a method, none is compiled but the standard one: others give no
 // number.
 template<class S, class Light, class Lobe>
 void specular_light(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                     float* scale, float* grazing) {
 #ifdef GONIO_STANDARD_METHODS
-    if (method == SpecularMethod::ltc) return specular_ltc_batch<S, Light, Lobe>(surfaces, light, lobe, scale, grazing);
+    if (method == SpecularMethod::ltc) return specular_ltc_batch<S, Light>(surfaces, light, lobe, scale, grazing);
     for (std::size_t i = 0; i < surfaces.count; ++i)
         scale[i] = grazing[i] = __builtin_nanf("");
 #else
     switch (method) {
     case SpecularMethod::ltc:
-        return specular_ltc_batch<S, Light, Lobe>(surfaces, light, lobe, scale, grazing);
+        return specular_ltc_batch<S, Light>(surfaces, light, lobe, scale, grazing);
     case SpecularMethod::representative_point:
         return specular_batch<S, Light, Lobe, SpecularMethod::representative_point>(surfaces, light, lobe, scale,
                                                                                     grazing);
@@ -153,5 +164,22 @@ void specular_power_any(const Surfaces& surfaces, const LightConstants& light, f
     const lobe_for<S, CosinePowerLobe> lobe(gloss(material).lobe);
     specular_lobe<S>(surfaces, light, lobe, method, scale, grazing);
 }
+
+#ifdef GONIO_SMALL_KERNELS
+// In double, by the code of probes.
+template<class S>
+void specular_anisotropic_any(const Surfaces& surfaces, const LightConstants& light,
+                              const AnisotropicLobeConstants& constants, SpecularMethod method, float* scale,
+                              float* grazing) {
+    specular_in_double(surfaces, light, constants, method, scale, grazing);
+}
+#else
+template<class S>
+void specular_anisotropic_any(const Surfaces& surfaces, const LightConstants& light,
+                              const AnisotropicLobeConstants& constants, SpecularMethod method, float* scale,
+                              float* grazing) {
+    specular_lobe<S>(surfaces, light, lobe_of<S>(constants), method, scale, grazing);
+}
+#endif
 
 } // namespace gonio::shading::detail

@@ -54,7 +54,8 @@ struct DiskPoints {
     // How far the light reaches from the centre along the normal.
     GONIO_FORCE_INLINE S rise() const { return simd::sqrt(simd::mul_add(patch.u.z, patch.u.z, patch.v.z * patch.v.z)); }
     // The square of the radius after a lobe's transform.
-    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
+    template<bool sheared>
+    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S, sheared>& lobe) const {
         const vec3<S> u = lobe(patch.u);
         const vec3<S> v = lobe(patch.v);
         return dot(u, u) + dot(v, v);
@@ -80,7 +81,8 @@ struct RectanglePoints {
     LightPatch<S> patch;
 
     GONIO_FORCE_INLINE S rise() const { return simd::abs(patch.u.z) + simd::abs(patch.v.z); }
-    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
+    template<bool sheared>
+    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S, sheared>& lobe) const {
         const vec3<S> u = lobe(patch.u);
         const vec3<S> v = lobe(patch.v);
         return dot(u, u) + dot(v, v);
@@ -106,9 +108,10 @@ struct TubePoints {
     S end_strength[2]; // of one half disk
 
     GONIO_FORCE_INLINE S rise() const { return simd::abs(patch.u.z) + radius; }
-    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
+    template<bool sheared>
+    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S, sheared>& lobe) const {
         const vec3<S> u = lobe(patch.u);
-        const S stretch = simd::max(simd::mul_add(lobe.m00, lobe.m00, lobe.m02 * lobe.m02), lobe.m11 * lobe.m11);
+        const S stretch = lobe.stretch2_across();
         return dot(u, u) + S(2) * radius * radius * stretch;
     }
     template<class Work>

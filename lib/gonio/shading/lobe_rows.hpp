@@ -16,10 +16,12 @@
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_share.hpp>
+#include <gonio/shading/vec2.hpp>
 #include <gonio/simd/math.hpp>
 
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace gonio::shading::detail {
 
@@ -59,33 +61,6 @@ struct LobeRule {
          {1.8123597F, -1.5958591F, 1.4960967F, -1.279586F, 0.77604274F, -0.22010631F},
          {1.0F, -1.6418989F, 1.5227539F, -1.2967378F, 0.78494947F, -0.22244184F}}};
 };
-
-// Two components in a plane.
-template<class S>
-struct vec2 {
-    S x, y;
-
-    GONIO_FORCE_INLINE friend vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
-    GONIO_FORCE_INLINE friend vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
-    GONIO_FORCE_INLINE friend vec2 operator*(vec2 a, S s) { return {a.x * s, a.y * s}; }
-};
-template<class S>
-GONIO_FORCE_INLINE S dot(vec2<S> a, vec2<S> b) {
-    return simd::mul_add(a.x, b.x, a.y * b.y);
-}
-// Positive if b is counter-clockwise of a.
-template<class S>
-GONIO_FORCE_INLINE S cross(vec2<S> a, vec2<S> b) {
-    return a.x * b.y - a.y * b.x;
-}
-template<class S>
-GONIO_FORCE_INLINE vec2<S> select(simd::mask_of<S> condition, vec2<S> if_true, vec2<S> if_false) {
-    return {simd::select(condition, if_true.x, if_false.x), simd::select(condition, if_true.y, if_false.y)};
-}
-template<class S>
-GONIO_FORCE_INLINE vec2<S> normalized(vec2<S> a) {
-    return a * (S(1) / simd::sqrt(simd::max(dot(a, a), S(1e-36))));
-}
 
 template<class S>
 GONIO_FORCE_INLINE S polynomial(S x, const float (&c)[6]) {
@@ -186,7 +161,8 @@ struct RectangleRegion {
     vec3<S> horizon;
     vec3<S> nearest;
 
-    GONIO_FORCE_INLINE RectangleRegion(const LtcLobe<S>& lobe, const RectanglePoints<S>& points)
+    template<bool sheared>
+    GONIO_FORCE_INLINE RectangleRegion(const LtcLobe<S, sheared>& lobe, const RectanglePoints<S>& points)
         : horizon(lobe.horizon()) {
         const vec3<S>& c = points.patch.center;
         const vec3<S>& u = points.patch.u;
@@ -239,7 +215,8 @@ struct CircleCone {
     vec3<S> rim, by_u, by_v; // p' = (rim·p' c' + by_u·p' u' + by_v·p' v')/(rim·c'), rim·c' > 0
     CircleCut<S> horizon;
 
-    GONIO_FORCE_INLINE CircleCone(const LtcLobe<S>& lobe, vec3<S> c, vec3<S> u, vec3<S> v)
+    template<bool sheared>
+    GONIO_FORCE_INLINE CircleCone(const LtcLobe<S, sheared>& lobe, vec3<S> c, vec3<S> u, vec3<S> v)
         : c1(lobe(c)), u1(lobe(u)), v1(lobe(v)), horizon(c.z, u.z, v.z) {
         const S sign = simd::copysign(S(1), dot(c, cross(u, v)));
         rim = cross(u1, v1) * sign;
@@ -320,7 +297,8 @@ struct CircleRegion {
     vec3<S> horizon;
     vec3<S> nearest;
 
-    GONIO_FORCE_INLINE CircleRegion(const LtcLobe<S>& lobe, const DiskPoints<S>& points)
+    template<bool sheared>
+    GONIO_FORCE_INLINE CircleRegion(const LtcLobe<S, sheared>& lobe, const DiskPoints<S>& points)
         : cone(lobe, points.patch.center, points.patch.u, points.patch.v),
           horizon(lobe.horizon()),
           nearest(cone.touching()) {
@@ -372,7 +350,8 @@ struct TubeRegion {
     vec3<S> nearest;
     simd::mask_of<S> beyond; // in the infinite cylinder: only one end is seen
 
-    GONIO_FORCE_INLINE TubeRegion(const LtcLobe<S>& lobe, const TubeSeen<S>& tube)
+    template<bool sheared>
+    GONIO_FORCE_INLINE TubeRegion(const LtcLobe<S, sheared>& lobe, const TubeSeen<S>& tube)
         : end{end_of(lobe, tube, -1.0), end_of(lobe, tube, 1.0)}, horizon(lobe.horizon()) {
         const vec3<S> axis1 = lobe(tube.axis);
         beyond = tube.across <= tube.radius;
@@ -400,7 +379,9 @@ struct TubeRegion {
             nearest = select(beyond, select(tube.along > S(0), end[0].touching(), end[1].touching()), nearest);
         nearest = select(cut, nearer_plane(nearest, horizon), nearest);
     }
-    GONIO_FORCE_INLINE static CircleCone<S> end_of(const LtcLobe<S>& lobe, const TubeSeen<S>& tube, double sign) {
+    template<bool sheared>
+    GONIO_FORCE_INLINE static CircleCone<S> end_of(const LtcLobe<S, sheared>& lobe, const TubeSeen<S>& tube,
+                                                   double sign) {
         const S along = simd::mul_add(S(sign), tube.half, tube.along);
         const vec3<S> to_end = tube.toward * tube.across + tube.axis * along;
         const S distance = length(to_end);
@@ -454,19 +435,19 @@ struct TubeRegion {
 };
 
 // The region of a light whose points (light_points.hpp) are known.
-template<class S, class Frame>
-GONIO_FORCE_INLINE RectangleRegion<S> region_of(const LtcLobe<S>& lobe, const RectanglePoints<S>& points,
+template<class S, class Frame, bool sheared>
+GONIO_FORCE_INLINE RectangleRegion<S> region_of(const LtcLobe<S, sheared>& lobe, const RectanglePoints<S>& points,
                                                 const RectangleLight<S>& /*light*/, const Frame& /*frame*/,
                                                 vec3<S> /*to_center*/) {
     return {lobe, points};
 }
-template<class S, class Light, class Frame>
-GONIO_FORCE_INLINE CircleRegion<S> region_of(const LtcLobe<S>& lobe, const DiskPoints<S>& points,
+template<class S, class Light, class Frame, bool sheared>
+GONIO_FORCE_INLINE CircleRegion<S> region_of(const LtcLobe<S, sheared>& lobe, const DiskPoints<S>& points,
                                              const Light& /*light*/, const Frame& /*frame*/, vec3<S> /*to_center*/) {
     return {lobe, points};
 }
-template<class S, class Frame>
-GONIO_FORCE_INLINE TubeRegion<S> region_of(const LtcLobe<S>& lobe, const TubePoints<S>& /*points*/,
+template<class S, class Frame, bool sheared>
+GONIO_FORCE_INLINE TubeRegion<S> region_of(const LtcLobe<S, sheared>& lobe, const TubePoints<S>& /*points*/,
                                            const TubeLight<S>& light, const Frame& frame, vec3<S> to_center) {
     return {lobe, TubeSeen<S>(light, frame, to_center)};
 }
@@ -493,25 +474,46 @@ struct Extremes {
 
 inline constexpr std::size_t most_row_points = 30; // a tube's
 
-// A region's points and the solid angles that they stand for, as the points of a light (light_points.hpp). `v` is the
-// view in the receiver's frame, v.z > 0; α is the lobe's.
+// The rule over ω: more rows for a lobe whose ridge may bend.
+template<class S, class Region, bool is_even>
+struct RowRule {
+    static constexpr const auto& rows = Region::rows;
+};
 template<class S, class Region>
+struct RowRule<S, Region, false> {
+    static constexpr const auto& rows = LobeRule<S>::six;
+};
+
+// A region's points and the solid angles that they stand for, as the points of a light (light_points.hpp). `v` is the
+// view in the receiver's frame, v.z > 0.
+template<class S, class Region, class Lobe, class Cosine>
 class RowPoints {
 public:
-    static constexpr std::size_t rows = 2 * std::size(Region::rows);
+    static constexpr const auto& rule = RowRule<S, Region, Lobe::is_even>::rows;
+    static constexpr std::size_t rows = 2 * std::size(rule);
     static constexpr std::size_t points_of_row = 1 + 2 * std::size(LobeRule<S>::five);
     static constexpr std::size_t size = rows * points_of_row;
 
-    GONIO_FORCE_INLINE RowPoints(const Region& region, const LtcLobe<S>& cosine, S alpha, vec3<S> v)
-        : region_(region), v_(v), inwards_(region.nearest), inverse_alpha_(S(1) / simd::max(alpha, S(1e-4))) {
+    GONIO_FORCE_INLINE RowPoints(const Region& region, const Cosine& cosine, const Lobe& lobe, vec3<S> v)
+        : region_(region), v_(v), inwards_(region.nearest), slopes_(lobe.slopes()) {
+        const S slant = simd::sqrt(simd::mul_add(inwards_.x, inwards_.x, inwards_.y * inwards_.y));
+        const auto tilted = slant > S(1e-12);
+        const S inverse_slant = S(1) / simd::select(tilted, slant, S(1));
+        const vec2<S> slanted{inwards_.x * inverse_slant, inwards_.y * inverse_slant};
+        vec2<S> beside = select(tilted, slanted, vec2<S>{S(1), S(0)}); // level, across A
+        auto from_horizon = S(0) > S(1);
+        if constexpr (!Lobe::is_even) {
+            // The ridge of a thin lobe bends, which the transform does not undo. Where the light covers its peak, the
+            // rows cross the ridge, whatever the light's boundary does.
+            from_horizon = simd::both(lobe.is_thin(), inwards_.z > S(0.7));
+            const vec2<S> across = lobe.across_ridge();
+            beside = select(from_horizon, vec2<S>{across.y, -across.x}, beside);
+            inwards_ = select(from_horizon, vec3<S>{S(0), S(0), S(1)}, inwards_);
+        }
         const vec3<S>& e = inwards_;
-        const S level = simd::sqrt(simd::mul_add(e.x, e.x, e.y * e.y));
-        const auto tilted = level > S(1e-12);
-        const S inverse_level = S(1) / simd::select(tilted, level, S(1));
-        const S ex = simd::select(tilted, e.x * inverse_level, S(1));
-        const S ey = simd::select(tilted, e.y * inverse_level, S(0));
-        axis_ = {-ey, ex, S(0)};
-        ahead_ = {-(e.z * ex), -(e.z * ey), level};
+        const S level = simd::select(from_horizon, S(0), slant);
+        axis_ = {-beside.y, beside.x, S(0)};
+        ahead_ = {-(e.z * beside.x), -(e.z * beside.y), level};
 
         first_ = {S(-1), S(1e-20)};
         last_ = {S(1), S(-1e-20)};
@@ -524,6 +526,7 @@ public:
         const S before = cross(first_, horizon);
         const S cosine_before = dot(first_, horizon);
         const S ahead_by = simd::select(cosine_before > S(0), before / simd::max(cosine_before, S(1e-12)), S(1e12));
+        const S alpha = lobe.width(beside);
         const S further = simd::min(simd::max(ahead_by, alpha * alpha), S(2) * alpha);
         const vec2<S> limit = normalized(horizon + vec2<S>{-horizon.y, horizon.x} * further);
         last_ = select(simd::both(before > S(0), cross(limit, last_) > S(0)), limit, last_);
@@ -531,8 +534,8 @@ public:
 
         const S determinant = simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
         const S inverse = S(1) / simd::max(determinant, S(1e-30));
-        back_ = {cosine.m00 * inverse, cosine.m02 * inverse, cosine.m20 * inverse, cosine.m22 * inverse,
-                 S(1) / cosine.m11};
+        back_ = {cosine.m00 * inverse, cosine.m02 * inverse, cosine.m20 * inverse,
+                 cosine.m22 * inverse, S(1) / cosine.m11,    cosine.shear};
         toward_axis_ = back_(axis_);
         strength_ = simd::select(empty, S(0), inverse * back_.inverse_m11);
     }
@@ -542,10 +545,10 @@ public:
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         // One loop over each, so that its body is compiled once.
         vec2<S> turned[rows];
-        S step[rows];
-        Fan<S>(first_, last_).divide(Region::rows, &turned[0], &step[0]);
+        S turn[rows];
+        Fan<S>(first_, last_).divide(rule, &turned[0], &turn[0]);
         for (std::size_t k = 0; k < rows; ++k)
-            for_each_of_row(turned[k], step[k], work);
+            for_each_of_row(turned[k], turn[k], work);
     }
 
 private:
@@ -553,35 +556,41 @@ private:
     struct Back {
         S m00, m02, m20, m22; // over the determinant of the four
         S inverse_m11;
+        [[no_unique_address]] decltype(Cosine::shear) shear;
 
         GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> q) const {
-            return {simd::mul_add(m22, q.x, -(m02 * q.z)), q.y * inverse_m11, simd::mul_add(m00, q.z, -(m20 * q.x))};
+            return {simd::mul_add(m22, q.x, -(m02 * q.z)), shear.undone(q.x, q.y) * inverse_m11,
+                    simd::mul_add(m00, q.z, -(m20 * q.x))};
         }
     };
 
     template<class Work>
-    GONIO_FORCE_INLINE void for_each_of_row(vec2<S> turned, S step, const Work& work) const {
+    GONIO_FORCE_INLINE void for_each_of_row(vec2<S> turned, S turn, const Work& work) const {
         const vec3<S> base = ahead_ * turned.x + inwards_ * turned.y;
         const RowPart<S> part = region_.row(base, axis_);
 
-        // The half vector's slopes over α at the part's point nearest to B, and their change with τ. Elsewhere on the
-        // row the light could be below the horizon.
-        const S nearest = simd::min(simd::max(part.from, S(0)), simd::max(part.to, part.from));
+        // The half vector's slopes over α at a point of the part, and their change with τ: where the square of the
+        // slopes is least, and how fast it grows. Elsewhere on the row the light could be below the horizon.
+        const S last = simd::max(part.to, part.from);
         const vec3<S> toward_base = back_(base);
-        const vec3<S> toward_nearest = mul_add(toward_axis_, nearest, toward_base);
-        const S inverse_base = S(1) / simd::sqrt(simd::max(dot(toward_nearest, toward_nearest), S(1e-36)));
-        const vec3<S> l = toward_nearest * inverse_base;
-        const vec3<S> change = (toward_axis_ - l * dot(l, toward_axis_)) * inverse_base;
-        const vec3<S> h = l + v_;
-        const S inverse_z = S(1) / simd::max(h.z, S(1e-6));
-        const S scale = inverse_z * inverse_alpha_;
-        const vec2<S> r{h.x * scale, h.y * scale};
-        const vec2<S> dr{simd::mul_add(-(h.x * inverse_z), change.z, change.x) * scale,
-                         simd::mul_add(-(h.y * inverse_z), change.z, change.y) * scale};
-        const S inverse_dr2 = S(1) / simd::max(dot(dr, dr), S(1e-30));
-        const S least = simd::mul_add(-dot(r, dr), inverse_dr2, nearest);
-        const S aside = cross(r, dr);
-        const S width = simd::sqrt(simd::mul_add(aside * aside, inverse_dr2, S(1)) * inverse_dr2);
+        S least = S(0);
+        S width = S(1);
+        for (int step = 0; step < (Lobe::is_even ? 1 : 2); ++step) {
+            const S nearest = simd::min(simd::max(part.from, least), last);
+            const vec3<S> toward_nearest = mul_add(toward_axis_, nearest, toward_base);
+            const S inverse_base = S(1) / simd::sqrt(simd::max(dot(toward_nearest, toward_nearest), S(1e-36)));
+            const vec3<S> l = toward_nearest * inverse_base;
+            const vec3<S> change = (toward_axis_ - l * dot(l, toward_axis_)) * inverse_base;
+            const vec3<S> h = l + v_;
+            const S inverse_z = S(1) / simd::max(h.z, S(1e-6));
+            const vec2<S> r = slopes_({h.x * inverse_z, h.y * inverse_z});
+            const vec2<S> dr = slopes_({simd::mul_add(-(h.x * inverse_z), change.z, change.x) * inverse_z,
+                                        simd::mul_add(-(h.y * inverse_z), change.z, change.y) * inverse_z});
+            const S inverse_dr2 = S(1) / simd::max(dot(dr, dr), S(1e-30));
+            least = simd::mul_add(-dot(r, dr), inverse_dr2, nearest);
+            const S aside = cross(r, dr);
+            width = simd::sqrt(simd::mul_add(aside * aside, inverse_dr2, S(1)) * inverse_dr2);
+        }
 
         const S farthest = S(1e4) * width;
         const auto clamped = [&](S tau) __attribute__((always_inline)) {
@@ -590,7 +599,7 @@ private:
         const S from = clamped(part.from);
         const S to = clamped(part.to);
         const Fan<S> along(normalized(vec2<S>{width, from}), normalized(vec2<S>{width, to}));
-        const S strength = simd::select(from < to, strength_ * step * width, S(0));
+        const S strength = simd::select(from < to, strength_ * turn * width, S(0));
         // The direction at τ = least + width·y/x, times x.
         const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
         const vec3<S> by_y = toward_axis_ * width;
@@ -610,7 +619,8 @@ private:
     vec3<S> toward_axis_;
     vec2<S> first_, last_; // ω
     Back back_;
-    S inverse_alpha_, strength_;
+    decltype(std::declval<Lobe>().slopes()) slopes_;
+    S strength_;
 };
 
 } // namespace gonio::shading::detail

@@ -17,16 +17,44 @@
 
 namespace gonio::shading {
 
-// In the frame x (towards which the mirrored view leans), y, z (the normal), z' = slope·x + lift·z and so on.
+// What a lobe without symmetry about the plane of n and v adds to y': `factor` times x'.
+template<class S, bool sheared>
+struct LtcShear {
+    GONIO_FORCE_INLINE S operator()(S /*x*/, S y) const { return y; }
+    GONIO_FORCE_INLINE S undone(S /*x*/, S y) const { return y; }
+    GONIO_FORCE_INLINE S of_x() const { return S(0); }
+};
 template<class S>
+struct LtcShear<S, true> {
+    S factor;
+
+    GONIO_FORCE_INLINE S operator()(S x, S y) const { return simd::mul_add(factor, x, y); }
+    GONIO_FORCE_INLINE S undone(S x, S y) const { return simd::mul_add(-factor, x, y); }
+    GONIO_FORCE_INLINE S of_x() const { return factor; }
+};
+
+// In the frame x (towards which the mirrored view leans), y, z (the normal): x' = m00 x + m02 z, y' = m11 y, z' = m20 x
+// + m22 z. The lobe of an anisotropic surface is sheared too.
+template<class S, bool sheared = false>
 struct LtcLobe {
     S m00, m02, m11, m20, m22;
     S horizon_x, horizon_z; // unit normal of the horizon in the transformed space; its y is 0
     S albedo;               // directional albedo for F = 1
     S grazing;              // for F = (1 − l·h)⁵; 0 for a diffuse lobe
+    [[no_unique_address]] LtcShear<S, sheared> shear;
 
     GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const {
-        return {simd::mul_add(m00, p.x, m02 * p.z), m11 * p.y, simd::mul_add(m20, p.x, m22 * p.z)};
+        const S x = simd::mul_add(m00, p.x, m02 * p.z);
+        return {x, shear(x, m11 * p.y), simd::mul_add(m20, p.x, m22 * p.z)};
+    }
+    GONIO_FORCE_INLINE S determinant() const { return m11 * simd::mul_add(m00, m22, -(m02 * m20)); }
+    // The square of the most by which it stretches a length in the plane of x' and y'.
+    GONIO_FORCE_INLINE S stretch2_across() const {
+        const S along2 = simd::mul_add(m00, m00, m02 * m02);
+        if constexpr (sheared)
+            return simd::mul_add(m11, m11, simd::mul_add(shear.factor * shear.factor, along2, along2));
+        else
+            return simd::max(along2, m11 * m11);
     }
     GONIO_FORCE_INLINE vec3<S> horizon() const { return {horizon_x, S(0), horizon_z}; }
 };

@@ -13,33 +13,35 @@
 #include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_method.hpp>
 
+#include <type_traits>
+
 namespace gonio::shading {
 
 namespace detail {
 
-template<class S>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SphereLight<S>& light,
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const SphereLight<S>& light,
                                vec3<S> to_center) {
     return ltc_sphere(lobe, frame(to_center), light.radius);
 }
-template<class S>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const DiskLight<S>& light,
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const DiskLight<S>& light,
                                vec3<S> to_center) {
     return ltc_disk(lobe, frame(to_center), frame(light.axis), light.radius, light.two_sided);
 }
-template<class S>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const RectangleLight<S>& light,
-                               vec3<S> to_center) {
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame,
+                               const RectangleLight<S>& light, vec3<S> to_center) {
     return ltc_rectangle(lobe, frame(to_center), frame(light.axis), frame(light.width_direction), light.width,
                          light.height, light.two_sided);
 }
-template<class S>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const TubeLight<S>& light,
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const TubeLight<S>& light,
                                vec3<S> to_center) {
     return ltc_tube(lobe, frame(to_center), frame(light.axis), light.radius, light.length);
 }
-template<class S>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SunLight<S>& light,
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const SunLight<S>& light,
                                vec3<S> toward) {
     return ltc_cap(lobe, frame(toward), light.sine, light.cosine);
 }
@@ -56,8 +58,8 @@ struct PointSums {
 // positive.
 enum class CosineSum { none, whole, positive };
 
-template<CosineSum which, class S, class Points, class Lobe>
-GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine,
+template<CosineSum which, class S, class Points, class Lobe, bool sheared>
+GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
                                            vec3<S> v) {
     PointSums<S> sums{S(0), S(0), S(0)};
     constexpr double least = 1e-18; // its cube is still a float
@@ -68,7 +70,7 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
         const S solid_angle = simd::select(lit, strength * inverse * inverse * inverse, S(0));
         const S n_dot_l = simd::select(lit, l.z, S(1));
         const HalfVector<S> h = half_vector(l, v);
-        const S value = lobe.value(n_dot_l, v.z, h) * n_dot_l * solid_angle;
+        const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
         sums.value = sums.value + value;
         sums.grazing = simd::mul_add(value, schlick_weight(h.l_dot_h), sums.grazing);
         if constexpr (which != CosineSum::none) {
@@ -82,13 +84,14 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
 }
 
 // The same for points of any light: not inlined, where kernels are to be small.
-template<CosineSum which, class S, class Lobe, std::size_t most>
-[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, most>& points, const Lobe& lobe, const LtcLobe<S>& cosine,
-                                    const vec3<S>& v, PointSums<S>& sums) {
+template<CosineSum which, class S, class Lobe, std::size_t most, bool sheared>
+[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, most>& points, const Lobe& lobe,
+                                    const LtcLobe<S, sheared>& cosine, const vec3<S>& v, PointSums<S>& sums) {
     sums = point_sums<which>(points, lobe, cosine, v);
 }
-template<CosineSum which, class S, class Points, class Lobe>
-GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S>& cosine, vec3<S> v) {
+template<CosineSum which, class S, class Points, class Lobe, bool sheared>
+GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
+                                          vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
     GatheredPoints<S, which == CosineSum::whole ? most_row_points : most_light_points>
         gathered; // of rows, or of a light
@@ -102,12 +105,12 @@ GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe
 }
 
 // What a receiver sees of a light, in the frame of its lobe.
-template<class S, class Points>
+template<class S, class Points, class Cosine>
 struct LobePose {
     S n_dot_v;
     simd::mask_of<S> seen; // n·v > 0
     LtcFrame<S> frame;
-    LtcLobe<S> cosine;
+    Cosine cosine;
     vec3<S> v; // along the normal where it is not seen
     Points points;
     S size2, distance2; // after the transform
@@ -123,26 +126,26 @@ GONIO_FORCE_INLINE auto lobe_pose(const Light& light, vec3<S> to_center, vec3<S>
     const S n_dot_v = dot(normal, view);
     const auto seen = above_surface(n_dot_v);
     const LtcFrame<S> frame = ltc_frame(normal, view);
-    const LtcLobe<S> cosine = cosine_of(n_dot_v, frame.sine);
+    const auto cosine = cosine_of(n_dot_v, frame.sine);
     const auto points = points_of(light, frame, to_center);
     const vec3<S> c1 = cosine(points.patch.center);
     using Points = decltype(points_of(light, frame, to_center));
-    return LobePose<S, Points>{n_dot_v,
-                               seen,
-                               frame,
-                               cosine,
-                               {-frame.sine, S(0), simd::select(seen, n_dot_v, S(1))},
-                               points,
-                               points.transformed_size2(cosine),
-                               simd::max(dot(c1, c1), S(1e-36))};
+    return LobePose<S, Points, std::remove_cv_t<decltype(cosine)>>{
+        n_dot_v,
+        seen,
+        frame,
+        cosine,
+        {-frame.sine, S(0), simd::select(seen, n_dot_v, S(1))},
+        points,
+        points.transformed_size2(cosine),
+        simd::max(dot(c1, c1), S(1e-36))};
 }
 
 // The share of the transformed cosine by its sum, for the lobe's albedo.
-template<class S>
-GONIO_FORCE_INLINE S summed_share(const PointSums<S>& sums, const LtcLobe<S>& cosine, S albedo) {
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S summed_share(const PointSums<S>& sums, const LtcLobe<S, sheared>& cosine, S albedo) {
     constexpr double inverse_pi = 0.31830988618379067154;
-    const S determinant = cosine.m11 * simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
-    return sums.by_cosine * determinant * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
+    return sums.by_cosine * cosine.determinant() * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
 }
 
 // 1/(1 + (κ + 1/κ − 2)/width²) for the ratio κ of a share by points and the exact one; the fraction is (ln κ/width)²
@@ -219,7 +222,8 @@ GONIO_FORCE_INLINE S center_height(const TubePoints<S>& /*points*/, const TubeLi
 //     F (1 + w² (K/C − 1)),  w = K C/((C − K)²/0.2² + K C)
 //
 // If the points give the cosine's share nearly, they err in the lobe as in the cosine, so K/C mends both; w is near 1
-// then. If they do not, F stays.
+// then. If they do not, F stays. In a light only the share is known. A lobe that is not the same in all directions of
+// the surface is less like its cosine, and F is the result.
 //
 // `cosine_of(n·v, ‖n×v‖)` gives the transformed cosine of the lobe's α.
 template<class S, class Light, template<class> class Lobe, class CosineOf>
@@ -242,19 +246,26 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     }
     if (!simd::all(simd::either(small, dark))) {
         const auto region = detail::region_of(cosine, points, light, frame, to_center);
-        const detail::RowPoints<S, decltype(region)> rows(region, cosine, lobe.alpha, v);
-        const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::whole>(rows, lobe, cosine, v);
-        const S albedo = cosine.albedo * lobe.albedo_share(v.z);
-        const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
-        const S c = detail::summed_share(sums, cosine, albedo);
-        const auto both = simd::both(k > S(0), c > S(0));
-        const S trust = detail::trust(c, k, 0.2);
-        const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
-        const S by_rows = sums.value * simd::mul_add(trust * trust, ratio - S(1), S(1));
-        // In a light only the share is known. Rows of a light seen edge-on may be lost to rounding, or be elsewhere:
-        // then C is far from K, which is computed with care for such lights.
-        const auto lost = simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3)));
-        const auto by_share = simd::either(detail::surrounded(light, to_center), lost);
+        const detail::RowPoints<S, decltype(region), Lobe<S>, std::remove_cvref_t<decltype(cosine)>> rows(
+            region, cosine, lobe, v);
+        constexpr auto which = Lobe<S>::is_even ? detail::CosineSum::whole : detail::CosineSum::none;
+        const detail::PointSums<S> sums = detail::sums_over<which>(rows, lobe, cosine, v);
+        S by_rows = sums.value;
+        S k = cosine.albedo * lobe.albedo_share(v.z);
+        auto by_share = detail::surrounded(light, to_center);
+        if constexpr (Lobe<S>::is_even) {
+            const S albedo = k;
+            k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
+            const S c = detail::summed_share(sums, cosine, albedo);
+            const auto both = simd::both(k > S(0), c > S(0));
+            const S trust = detail::trust(c, k, 0.2);
+            const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
+            by_rows = by_rows * simd::mul_add(trust * trust, ratio - S(1), S(1));
+            // Rows of a light seen edge-on may be lost to rounding, or be elsewhere: then C is far from K, which is
+            // computed with care for such lights.
+            const auto lost = simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3)));
+            by_share = simd::either(by_share, lost);
+        }
         value = simd::select(small, value, simd::select(by_share, k, by_rows));
         grazing = simd::select(
             small, grazing,
@@ -280,6 +291,18 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     return specular_ltc(
         light, to_center, normal, view,
         lobe, [&](S n_dot_v, S sine) __attribute__((always_inline)) { return ltc_ggx(lobe.alpha, n_dot_v, sine); });
+}
+// The same for a lobe that depends on a direction of the surface.
+template<class S, class Light, template<class> class Lobe>
+requires requires(const Lobe<S>& lobe, const LtcFrame<S>& frame) {
+    lobe.in(frame);
+}
+GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
+                                                     vec3<S> view, const Lobe<S>& lobe) {
+    const auto local = lobe.in(ltc_frame(normal, view));
+    return specular_ltc(
+        light, to_center, normal, view,
+        local, [&](S n_dot_v, S sine) __attribute__((always_inline)) { return local.cosine(n_dot_v, sine); });
 }
 
 // The renormalised Disney diffuse of albedo 1, in the same way: luminance per luminance of the light.

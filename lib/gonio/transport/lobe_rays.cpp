@@ -54,22 +54,38 @@ struct Sampled {
     glm::dvec3 sum{0.0};
 };
 
+Vec turned(const Vec& v, double cosine, double sine) {
+    return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+}
+
+// A view at an azimuth from the tangent; `direction` of the facets is in the frame of the view, which leans to x.
 template<class Value>
-Sampled sampled(const Value& value, double alpha, double cosine, std::size_t count) {
+Sampled sampled(const Value& value, const LobeFacets& facets, double cosine, double azimuth, std::size_t count) {
     const Vec n{0.0, 0.0, 1.0};
-    const Vec v{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
+    const Vec in_own{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
+    const double c = std::cos(azimuth);
+    const double s = std::sin(azimuth);
+    const bool is_even = !facets.grain;
+    const Vec v = is_even ? in_own : turned(in_own, c, s); // from the tangent
     Sampled result;
     for (std::size_t i = 0; i < count; ++i) {
         const auto [u0, u1] = point_of(i, count);
-        const Vec h = shading::visible_normal_ggx(v, alpha, u0, u1);
+        const Vec h = is_even ? shading::visible_normal_ggx(v, facets.alphas.x, u0, u1)
+                              : shading::visible_normal_ggx(v, facets.alphas, u0, u1);
         const Vec l = shading::normalized(h * (2.0 * dot(v, h)) - v);
         LobeRay facet;
-        facet.direction = glm::vec3(vec(h));
-        const double pdf = shading::pdf_reflected_ggx(n, v, l, alpha);
+        facet.direction = glm::vec3(vec(is_even ? h : turned(h, c, -s)));
+        const double pdf = is_even ? shading::pdf_reflected_ggx(n, v, l, facets.alphas.x)
+                                   : shading::pdf_reflected_ggx(v, l, facets.alphas);
         facet.width =
             static_cast<float>(std::min(std::sqrt(1.0 / (std::max(pdf, 1e-3) * static_cast<double>(count))), widest));
         if (l.z > 0.0 && pdf > 0.0) {
-            const glm::dvec3 weight = l.z / (pdf * static_cast<double>(count)) * vec(value(n, l, v));
+            // The tangent of this normal is turned from x.
+            const auto in_scene = [&](const Vec& way) {
+                return is_even ? way : turned(way, facets.grain->cosine, facets.grain->sine);
+            };
+            const glm::dvec3 weight =
+                l.z / (pdf * static_cast<double>(count)) * vec(value(n, in_scene(l), in_scene(v)));
             facet.weight = glm::vec3(weight);
             result.sum += weight;
         }
@@ -94,20 +110,32 @@ Place place_of(double cosine) {
     return {node, at - static_cast<double>(node)};
 }
 
-// Calls `lobe(α, value)` for each glossy one.
+template<class Core>
+LobeFacets facets_of(const Core& core) {
+    if constexpr (Core::lobe == shading::LobeKind::anisotropic_ggx) {
+        const auto lobe = shading::gloss(core).lobe;
+        return {lobe.alphas, lobe.grain};
+    } else {
+        const double alpha = shading::lobe_alpha(core);
+        return {{alpha, alpha}, {}};
+    }
+}
+
+// Calls `lobe(facets, value)` for each glossy one.
 template<class Lobe>
 void for_each_lobe(const CoreMaterial& material, const Lobe& lobe) {
     std::visit(
         [&]<class Core>(const Core& core) {
             if constexpr (std::is_same_v<Core, shading::Coated>) {
-                lobe(shading::coat_alpha(core.coat),
+                const double alpha = shading::coat_alpha(core.coat);
+                lobe(LobeFacets{{alpha, alpha}, {}},
                      [&](const Vec& n, const Vec& l, const Vec& v) { return shading::coat_part(core, n, l, v); });
-                const double alpha = std::visit([](const auto& base) { return shading::lobe_alpha(base); }, core.base);
-                lobe(alpha, [&](const Vec& n, const Vec& l, const Vec& v) {
-                    return shading::base_specular_part(core, n, l, v);
-                });
+                lobe(std::visit([](const auto& base) { return facets_of(base); }, core.base),
+                     [&](const Vec& n, const Vec& l, const Vec& v) {
+                         return shading::base_specular_part(core, n, l, v);
+                     });
             } else if constexpr (Core::lobe != shading::LobeKind::none) {
-                lobe(shading::lobe_alpha(core), [&](const Vec& n, const Vec& l, const Vec& v) {
+                lobe(facets_of(core), [&](const Vec& n, const Vec& l, const Vec& v) {
                     return shading::specular_part(core, n, l, v, 0.0);
                 });
             }
@@ -115,31 +143,43 @@ void for_each_lobe(const CoreMaterial& material, const Lobe& lobe) {
         material);
 }
 
+constexpr std::size_t most_azimuths = 16;
+
+std::size_t azimuths_of(bool has_grain) {
+    return has_grain ? most_azimuths : 1;
+}
+
 } // namespace
 
 template<class Value>
-LobeRays::LobeRays(double alpha, const Value& value, std::size_t more) : alpha_(alpha) {
-    const glm::dvec3 reflectance = sampled(value, alpha, 1.0, many).sum;
+LobeRays::LobeRays(const LobeFacets& facets, const Value& value, std::size_t more)
+    : grain_(facets.grain), alpha_(facets.alphas.mean()) {
+    const glm::dvec3 reflectance = sampled(value, facets, 1.0, 0.0, many).sum;
     const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
-    if (!(sampled(value, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
+    if (!(sampled(value, facets, 0.1, 0.0, many).sum.x > 0.0) && !(most > 0.0)) return;
     is_metal_ = is_of_metal(reflectance);
-    rays_ = rays_for(alpha, is_metal_, more);
-    for (std::size_t node = 0; node < nodes; ++node) {
-        const glm::dvec3 albedo = sampled(value, alpha, cosine_of(node), many).sum;
-        Sampled few = sampled(value, alpha, cosine_of(node), rays_);
-        for (LobeRay& facet : few.facets)
-            for (int channel = 0; channel < 3; ++channel)
-                if (few.sum[channel] > 0.0)
-                    facet.weight[channel] *= static_cast<float>(albedo[channel] / few.sum[channel]);
-        table_.insert(table_.end(), few.facets.begin(), few.facets.end());
-        albedo_.push_back(albedo);
+    rays_ = rays_for(std::max(facets.alphas.x, facets.alphas.y), is_metal_, more);
+    const std::size_t azimuths = azimuths_of(grain_.has_value());
+    albedo_.assign(nodes, glm::dvec3(0.0));
+    for (std::size_t turn = 0; turn < azimuths; ++turn) {
+        const double azimuth = std::numbers::pi * static_cast<double>(turn) / static_cast<double>(azimuths);
+        for (std::size_t node = 0; node < nodes; ++node) {
+            const glm::dvec3 albedo = sampled(value, facets, cosine_of(node), azimuth, many).sum;
+            Sampled few = sampled(value, facets, cosine_of(node), azimuth, rays_);
+            for (LobeRay& facet : few.facets)
+                for (int channel = 0; channel < 3; ++channel)
+                    if (few.sum[channel] > 0.0)
+                        facet.weight[channel] *= static_cast<float>(albedo[channel] / few.sum[channel]);
+            table_.insert(table_.end(), few.facets.begin(), few.facets.end());
+            albedo_[node] += albedo / static_cast<double>(azimuths);
+        }
     }
 }
 
 std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more) {
     std::vector<LobeRays> lobes;
-    for_each_lobe(material, [&](double alpha, const auto& value) {
-        LobeRays lobe(alpha, value, more);
+    for_each_lobe(material, [&](const LobeFacets& facets, const auto& value) {
+        LobeRays lobe(facets, value, more);
         if (!lobe.empty()) lobes.push_back(std::move(lobe));
     });
     return lobes;
@@ -147,27 +187,50 @@ std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more) 
 
 bool has_metal_lobe(const CoreMaterial& material) {
     bool found = false;
-    for_each_lobe(material, [&](double alpha, const auto& value) {
-        found = found || is_of_metal(sampled(value, alpha, 1.0, many).sum);
+    for_each_lobe(material, [&](const LobeFacets& facets, const auto& value) {
+        found = found || is_of_metal(sampled(value, facets, 1.0, 0.0, many).sum);
     });
     return found;
 }
 
-LobeRays::View LobeRays::view(double cosine) const {
+LobeRays::View LobeRays::view(double cosine, const glm::dvec3& normal, const glm::dvec3& aside) const {
     const Place place = place_of(cosine);
     const auto z = static_cast<float>(std::clamp(cosine, 0.0, 1.0));
-    return {place.node * rays_, static_cast<float>(place.share), {std::sqrt((1.0F - z) * (1.0F + z)), 0.0F, z}};
+    View view;
+    view.first = view.beside = place.node * rays_;
+    view.share = static_cast<float>(place.share);
+    view.direction = {std::sqrt((1.0F - z) * (1.0F + z)), 0.0F, z};
+    if (grain_) {
+        const shading::TangentFrame<double> frame = grain_->frame(vec(normal));
+        const Vec leaning = frame.to_local(vec(aside));
+        const double turns = std::atan2(leaning.y, leaning.x) / std::numbers::pi;
+        const double at = (turns - std::floor(turns)) * static_cast<double>(most_azimuths);
+        const auto turn = std::min(static_cast<std::size_t>(at), most_azimuths - 1);
+        view.beside += (turn + 1) % most_azimuths * nodes * rays_;
+        view.first += turn * nodes * rays_;
+        view.share_beside = static_cast<float>(at - static_cast<double>(turn));
+    }
+    return view;
+}
+
+namespace {
+
+LobeRay blend(const LobeRay& a, const LobeRay& b, float share) {
+    return {(1.0F - share) * a.direction + share * b.direction, (1.0F - share) * a.weight + share * b.weight,
+            (1.0F - share) * a.width + share * b.width};
+}
+
+} // namespace
+
+LobeRay LobeRays::between(std::size_t first, float share, std::size_t index) const {
+    return blend(table_[first + index], table_[first + rays_ + index], share);
 }
 
 LobeRay LobeRays::ray(const View& view, std::size_t index) const {
-    const LobeRay& a = table_[view.first + index];
-    const LobeRay& b = table_[view.first + rays_ + index];
-    const float share = view.share;
-    const glm::vec3 facet = (1.0F - share) * a.direction + share * b.direction;
-    LobeRay ray;
+    LobeRay ray = between(view.first, view.share, index); // with the facet's normal
+    if (grain_) ray = blend(ray, between(view.beside, view.share, index), view.share_beside);
+    const glm::vec3 facet = ray.direction;
     ray.direction = 2.0F * glm::dot(view.direction, facet) / glm::dot(facet, facet) * facet - view.direction;
-    ray.weight = (1.0F - share) * a.weight + share * b.weight;
-    ray.width = (1.0F - share) * a.width + share * b.width;
     if (!(ray.direction.z > 0.0F)) ray.weight = glm::vec3(0.0F);
     return ray;
 }

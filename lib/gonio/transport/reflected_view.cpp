@@ -55,10 +55,11 @@ ReflectedView::Mirror ReflectedView::mirror(const glm::dvec3& from_anchor, const
     const double cosine = glm::dot(normal, view);
     if (!(cosine > 0.0)) return mirror;
     mirror.is_seen = true;
-    mirror.view = lobe.view(cosine);
     const glm::dvec3 aside = view - cosine * normal;
     const double length = glm::length(aside);
-    mirror.x = glm::vec3(length > 1e-9 ? aside / length : frame_about(glm::dvec3(0.0), normal).x);
+    const glm::dvec3 x = length > 1e-9 ? aside / length : frame_about(glm::dvec3(0.0), normal).x;
+    mirror.view = lobe.view(cosine, normal, x);
+    mirror.x = glm::vec3(x);
     mirror.z = glm::vec3(normal);
     mirror.y = glm::cross(mirror.z, mirror.x);
     const double lift_m = Patches::lift(geometry_.patches().square_m());

@@ -23,17 +23,25 @@ constexpr float wide = 0.15F;  // α
 // The lobe [1/sr] with α² + widening2 for α². n·l, n·v > 0.
 glm::vec3 value_of(const ThrowingLobe& lobe, const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, float n_dot_l,
                    float n_dot_v, float widening2) {
+    if (lobe.anisotropic) {
+        shading::AnisotropicGgxLobe<float> grained = *lobe.anisotropic;
+        const auto widened = [&](float alpha) { return std::sqrt(alpha * alpha + widening2); };
+        grained.alphas = {widened(grained.alphas.x), widened(grained.alphas.y)};
+        grained.alpha = grained.alphas.mean();
+        const auto terms = grained({n.x, n.y, n.z}, {l.x, l.y, l.z}, {v.x, v.y, v.z}, grained.alpha);
+        return lobe.factor * terms.scale * (lobe.f0 + (lobe.f90 - lobe.f0) * terms.grazing);
+    }
     const float alpha2 = std::min(lobe.alpha * lobe.alpha + widening2, 1.0F);
     const glm::vec3 h = l + v;
     const float square = std::max(glm::dot(h, h), 1e-12F);
     const float along = glm::dot(n, h);
     const glm::vec3 across = glm::cross(n, h);
-    const shading::HalfVector<float> half{along * along / square, glm::dot(across, across) / square,
-                                          0.5F * std::sqrt(square)};
+    const shading::HalfVector<float> half{
+        along * along / square, glm::dot(across, across) / square, 0.5F * std::sqrt(square), {h.x, h.y, h.z}, square};
     const float alpha = std::sqrt(alpha2);
-    const float value =
-        lobe.is_ggx ? shading::GgxLobe<float>{alpha}.value(n_dot_l, n_dot_v, half)
-                    : shading::CosinePowerLobe<float>{alpha, 2.0F / alpha2 - 2.0F}.value(n_dot_l, n_dot_v, half);
+    const float value = lobe.is_ggx
+                            ? shading::GgxLobe<float>{alpha}.value({0.0F, 0.0F, n_dot_l}, {0.0F, 0.0F, n_dot_v}, half)
+                            : shading::CosinePowerLobe<float>{alpha, 2.0F / alpha2 - 2.0F}.value({}, {}, half);
     const float grazing = shading::schlick_weight(half.l_dot_h);
     return lobe.factor * value * (lobe.f0 + (lobe.f90 - lobe.f0) * grazing);
 }
@@ -64,6 +72,8 @@ std::optional<ThrowingLobe> throwing_lobe(const CoreMaterial& material, const Di
                 lobe.is_ggx = is_ggx_v<std::remove_cvref_t<decltype(gloss)>>;
                 lobe.alpha = static_cast<float>(gloss.lobe.alpha);
                 lobe.f90 = static_cast<float>(gloss.f90);
+                if constexpr (Core::lobe == shading::LobeKind::anisotropic_ggx)
+                    lobe.anisotropic = shading::lobe_of<float>(shading::constants_of(gloss.lobe));
                 lobe.factor = static_cast<float>(gloss.factor);
                 lobe.f0 = glm::vec3(gloss.f0.x, gloss.f0.y, gloss.f0.z);
                 if (lobe.f0 == glm::vec3(0.0F) && !(lobe.f90 > 0.0F)) return std::nullopt;

@@ -33,8 +33,9 @@ struct ThrowingLobe {
     float f90 = 1.0F;
     float factor = 1.0F;
     glm::vec3 f0{0.0F};
-    DirectionalAlbedo whole; // of the lobe and
-    DirectionalAlbedo rest;  // of what else the material scatters
+    std::optional<shading::AnisotropicGgxLobe<float>> anisotropic; // instead of GGX of alpha
+    DirectionalAlbedo whole;                                       // of the lobe and
+    DirectionalAlbedo rest;                                        // of what else the material scatters
 
     // The share of light from this cosine that the lobe reflects, per channel.
     glm::dvec3 share(double cosine) const;

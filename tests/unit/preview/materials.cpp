@@ -32,6 +32,8 @@ constexpr std::array materials{"lambert:albedo=rgb(0.8,0.5,0.2)",
                                "gltf:base=rgb(0.8,0.5,0.2),roughness=0.6,metallic=0.3",
                                "blinn:albedo=rgb(0.8,0.5,0.2),smoothness=0.3,wet=0.5",
                                "ggx:f0=rgb(0.9,0.5,0.1),alpha=0.3",
+                               "ggx:f0=rgb(0.9,0.5,0.1),alpha=0.3,anisotropy=0.7,rotation=30",
+                               "gltf:base=rgb(0.8,0.5,0.2),roughness=0.5,anisotropy=0.6",
                                "kulla-conty:f0=rgb(0.9,0.5,0.1),alpha=0.5"};
 constexpr std::array kinds{LightKind::punctual,  LightKind::sphere, LightKind::disk,    LightKind::ellipse,
                            LightKind::rectangle, LightKind::tube,   LightKind::cylinder};

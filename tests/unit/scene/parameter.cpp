@@ -131,6 +131,8 @@ TEST(Parameter, OfAMaterialIsThatOfItsGrammar) {
                           Case{"frostbite:base=0.2", "roughness", "0.25", "frostbite:base=0.2,smoothness=0.75"},
                           Case{"blinn:albedo=0.2", "wet", "1", "blinn:albedo=0.2,wet=1"},
                           Case{"ggx:f0=0.9", "roughness", "0.25", "ggx:f0=0.9,roughness=0.25"},
+                          Case{"ggx:f0=0.9", "anisotropy", "0.6", "ggx:f0=0.9,anisotropy=0.6"},
+                          Case{"gltf:base=0.2", "rotation", "30", "gltf:base=0.2,rotation=30deg"},
                           Case{"kulla-conty:f0=0.9", "alpha", "0.25", "kulla-conty:f0=0.9,alpha=0.25"}}) {
         Material material = parse_material(c.before).value();
         EXPECT_TRUE(set_parameter(material, c.name, c.value).value()) << c.after;

@@ -114,12 +114,32 @@ TEST(Material, GrammarAndItsErrors) {
     EXPECT_EQ(parsed<EonMaterial>("eon:roughness=1").roughness, 1.0);
     EXPECT_EQ(parsed<GgxMaterial>("ggx").alpha, 0.3);
     EXPECT_EQ(parsed<GgxMaterial>("ggx:roughness=0.5").alpha, 0.25);
+    EXPECT_EQ(parsed<GgxMaterial>("ggx:anisotropy=0.7,rotation=-45").anisotropy, 0.7);
+    EXPECT_EQ(parsed<GgxMaterial>("ggx:anisotropy=0.7,rotation=-45").rotation_deg, -45.0);
+    EXPECT_NEAR(parsed<GltfMaterial>("gltf:rotation=0.5rad").rotation_deg, 28.6478897565412, 1e-12);
     EXPECT_EQ(parsed<KullaContyMaterial>("kulla-conty:f0=0.5,alpha=0").alpha, 0.0);
-    for (const char* text :
-         {"", "lambert:albedo=2", "lambert:base=1", "lambert:albedo", "lambert:albedo=x", "frostbite:metal=-0.1",
-          "frostbite:smoothness=1.01", "frostbyte", "ggx:alpha=1.5", "ggx:alpha=nan", "ggx:alpha=0.1,roughness=0.1",
-          "ue4:metal=1", "gltf:metal=1", "gltf:specular=0.5", "blinn:wet=-1", "eon:albedo=rgb(1,2,0)",
-          "kulla-conty:albedo=1", "ggx:f0=0.5,f0=0.5"})
+    for (const char* text : {"",
+                             "lambert:albedo=2",
+                             "lambert:base=1",
+                             "lambert:albedo",
+                             "lambert:albedo=x",
+                             "frostbite:metal=-0.1",
+                             "frostbite:smoothness=1.01",
+                             "frostbyte",
+                             "ggx:alpha=1.5",
+                             "ggx:alpha=nan",
+                             "ggx:alpha=0.1,roughness=0.1",
+                             "ue4:metal=1",
+                             "gltf:metal=1",
+                             "gltf:specular=0.5",
+                             "blinn:wet=-1",
+                             "eon:albedo=rgb(1,2,0)",
+                             "kulla-conty:albedo=1",
+                             "ggx:f0=0.5,f0=0.5",
+                             "ggx:anisotropy=1.1",
+                             "gltf:rotation=400",
+                             "ggx:rotation=3m",
+                             "ue4:anisotropy=0.5"})
         EXPECT_FALSE(parse_material(text)) << text;
     EXPECT_EQ(parse_material("ggx:alpha=1.5").error().diagnostics.front().message,
               "alpha of 'ggx' must lie in [0, 1], not 1.5");

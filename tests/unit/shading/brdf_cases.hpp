@@ -93,6 +93,14 @@ void each(const Visit& visit) {
             });
         }
     }
+    for (const auto& [along, across] : {std::pair{0.9, 0.1}, {0.03, 0.4}, {1e-4, 0.2}, {1.4, 1e-4}})
+        visit(fmt::format("anisotropic {} {}", along, across), [=]<class S>(S) {
+            return g::Anisotropic<S>{{S(red.x), S(red.y), S(red.z)},
+                                     {S(0.04), S(0.3), S(1)},
+                                     S(1),
+                                     {S(along), S(across)},
+                                     {{S(0.3), S(-0.2), S(0.9)}, S(0.8), S(0.6)}};
+        });
     for (const double roughness : {0.0, 0.3, 1.0})
         visit(fmt::format("eon {}", roughness), [=]<class S>(S) {
             return g::Eon<S>{{S(red.x), S(red.y), S(1)}, S(roughness)};

@@ -61,6 +61,8 @@ std::vector<std::pair<std::string, MaterialConstants>> materials_of(float alpha)
             {"frostbite", constants_of(Frostbite<float>{albedo, f0, 1.0F, root, alpha})},
             {"ue4", constants_of(Ue4<float>{albedo, f0, 1.0F, alpha})},
             {"gltf", constants_of(Gltf<float>{albedo, f0, 1.0F, alpha})},
+            {"anisotropic", constants_of(Anisotropic<float>{
+                                albedo, f0, 1.0F, {alpha, 0.4F * alpha}, {{0.0F, 0.0F, 1.0F}, 0.6F, 0.8F}})},
             {"blinn", constants_of(Blinn<float>{albedo, f0, 2.0F / (alpha * alpha) + 1.0F})},
             {"ggx", constants_of(Ggx<float>{f0, alpha})},
             {"kulla-conty", constants_of(kulla_conty_material(f0, alpha))}};

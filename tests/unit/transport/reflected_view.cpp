@@ -1,3 +1,4 @@
+#include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/interreflection.hpp>
@@ -120,6 +121,46 @@ TEST(ReflectedView, GoesOnFromMetals) {
     const double albedo = lobes.front().albedo(std::sqrt(0.5)).y;
     EXPECT_GT(albedo, 0.9);
     EXPECT_NEAR(of_mirror / of_wall, albedo, 0.01 * albedo);
+}
+
+// The rays of an anisotropic lobe at any place, against the sum over directions.
+TEST(LobeRays, FollowTheGrain) {
+    const Material brushed = parse_material("ggx:f0=0.9,alpha=0.3,anisotropy=0.7,rotation=20").value();
+    const CoreMaterial core = core_material(brushed);
+    const auto& exact = std::get<shading::Anisotropic<double>>(core);
+    const std::vector<LobeRays> lobes = lobe_rays(core, 16);
+    ASSERT_EQ(lobes.size(), 1U);
+    const glm::dvec3 normals[] = {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}, {0.6, 0.0, 0.8}};
+    for (const glm::dvec3& normal : normals)
+        for (const double azimuth : {0.1, 1.3, 2.9, 4.4}) {
+            const double cosine = 0.6;
+            const Frame frame = frame_about(glm::dvec3(0.0), normal);
+            const glm::dvec3 aside = std::cos(azimuth) * frame.x + std::sin(azimuth) * frame.y;
+            const glm::dvec3 side = glm::cross(normal, aside);
+            const glm::dvec3 view = cosine * normal + std::sqrt(1.0 - cosine * cosine) * aside;
+            // What a sky shows that is brighter to one side.
+            const auto sky = [&](double x, double y) { return 1.0 + x + 2.0 * y * y + 0.5 * y; };
+            double by_rays = 0.0;
+            const LobeRays::View of = lobes.front().view(cosine, normal, aside);
+            for (std::size_t i = 0; i < lobes.front().count(); ++i) {
+                const LobeRay ray = lobes.front().ray(of, i);
+                const glm::dvec3 way = glm::normalize(glm::dvec3(ray.direction));
+                by_rays += static_cast<double>(ray.weight.x) * sky(way.x, way.y);
+            }
+            double truth = 0.0;
+            constexpr int steps = 300;
+            for (int i = 0; i < steps; ++i)
+                for (int k = 0; k < steps; ++k) {
+                    const auto sample = shading::sample_brdf(exact, vec(normal), vec(view),
+                                                             {(i + 0.5) / steps, (k + 0.5) / steps, 0.5});
+                    const glm::dvec3 way = vec(sample.l);
+                    const double n_dot_l = glm::dot(way, normal);
+                    if (!(n_dot_l > 0.0) || !(sample.pdf > 0.0)) continue;
+                    truth += shading::brdf(exact, vec(normal), sample.l, vec(view)).x * n_dot_l / sample.pdf *
+                             sky(glm::dot(way, aside), glm::dot(way, side)) / (steps * steps);
+                }
+            EXPECT_NEAR(by_rays, truth, 0.02 * truth) << normal.z << ' ' << azimuth;
+        }
 }
 
 } // namespace

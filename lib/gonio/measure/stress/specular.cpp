@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,7 @@ void specular(Random& random, std::uint64_t evaluations, StressTally& tally) {
     std::vector<float> grazing(group);
     std::vector<Pose> poses(group);
     const std::size_t sets = simd::available_sets().size();
-    for (std::uint64_t done = 0; done < evaluations; done += group * method_count * sets) {
+    for (std::uint64_t done = 0; done < evaluations; done += 2 * group * method_count * sets) {
         const Pose light = hostile::random_light(shape, random);
         for (std::size_t i = 0; i < group; ++i) {
             poses[i] = hostile::receiver(light, static_cast<Stratum>(i % hostile::stratum_count), random);
@@ -68,23 +69,37 @@ void specular(Random& random, std::uint64_t evaluations, StressTally& tally) {
         surfaces.count = group;
         const shading::LightConstants constants = hostile::light_constants(light);
         const auto alpha = static_cast<float>(std::exp(random.uniform(std::log(1e-4), 0.0)));
+        const auto any_alpha = [&] { return static_cast<float>(std::exp(random.uniform(std::log(1e-4), 0.0))); };
+        const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+        const shading::AnisotropicLobeConstants grained{{any_alpha(), any_alpha()},
+                                                        {0.0F, 0.0F, 1.0F},
+                                                        static_cast<float>(std::cos(turn)),
+                                                        static_cast<float>(std::sin(turn))};
         for (std::size_t m = 0; m < method_count; ++m)
-            for (const simd::InstructionSet set : simd::available_sets()) {
-                const shading::SpecularKernels& kernels = shading::specular_kernels(set);
-                kernels.specular(surfaces, constants, alpha, static_cast<SpecularMethod>(m), scale.data(),
-                                 grazing.data());
-                const float most = m == 0 ? 1.0F : HUGE_VALF;
-                tally.looked_at(group);
-                for (std::size_t i = 0; i < group; ++i) {
-                    const bool number = scale[i] >= 0.0F && scale[i] <= most && scale[i] < HUGE_VALF;
-                    const bool share = grazing[i] >= 0.0F && grazing[i] <= 1.00001F;
-                    tally.require(number && share, [&] {
-                        return fmt::format("method {} {}: {} and {}, alpha {:a} view {:a} {:a} {:a} {}", m,
-                                           kernels.name, scale[i], grazing[i], alpha, columns[6][i], columns[7][i],
-                                           columns[8][i], hostile::to_text(poses[i]));
-                    });
+            for (const simd::InstructionSet set : simd::available_sets())
+                for (const bool is_even : {true, false}) {
+                    const shading::SpecularKernels& kernels = shading::specular_kernels(set);
+                    const auto method = static_cast<SpecularMethod>(m);
+                    if (is_even)
+                        kernels.specular(surfaces, constants, alpha, method, scale.data(), grazing.data());
+                    else
+                        kernels.specular_anisotropic(surfaces, constants, grained, method, scale.data(),
+                                                     grazing.data());
+                    const float most = m == 0 ? 1.0F : HUGE_VALF;
+                    tally.looked_at(group);
+                    for (std::size_t i = 0; i < group; ++i) {
+                        const bool number = scale[i] >= 0.0F && scale[i] <= most && scale[i] < HUGE_VALF;
+                        const bool share = grazing[i] >= 0.0F && grazing[i] <= 1.00001F;
+                        tally.require(number && share, [&] {
+                            return fmt::format("method {} {}: {} and {}, alpha {:a}{} view {:a} {:a} {:a} {}", m,
+                                               kernels.name, scale[i], grazing[i], alpha,
+                                               is_even ? ""
+                                                       : fmt::format(" (anisotropic {:a} {:a}, turned {:a})",
+                                                                     grained.alpha[0], grained.alpha[1], turn),
+                                               columns[6][i], columns[7][i], columns[8][i], hostile::to_text(poses[i]));
+                        });
+                    }
                 }
-            }
     }
 }
 

@@ -21,6 +21,8 @@ Result<void> read_coat(const KindText& text, std::optional<Coat>& coat);
 // colour in [0, 1].
 Result<void> read_share(const KindText& text, std::string_view key, double& target);
 Result<void> read_color(const KindText& text, std::string_view key, glm::dvec3& target);
+// An angle in degrees, or with its unit; a whole turn at most, either way.
+Result<void> read_degrees(const KindText& text, std::string_view key, double& target);
 // Reads `alpha`, or roughness, its root.
 Result<void> read_alpha(const KindText& text, std::string_view key, double& target);
 
@@ -31,6 +33,7 @@ Result<void> read_material_key(const KindText& text, const ColorKey<M>& key, M& 
 template<class M>
 Result<void> read_material_key(const KindText& text, const NumberKey<M>& key, M& material) {
     double& target = material.*key.member;
+    if (key.form == KeyForm::degrees) return read_degrees(text, key.name, target);
     return key.form == KeyForm::alpha ? read_alpha(text, key.name, target) : read_share(text, key.name, target);
 }
 
