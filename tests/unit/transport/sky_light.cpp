@@ -164,7 +164,7 @@ TEST(SkyLight, TurnsWithTheStage) {
 }
 
 TEST(SkyLight, IsLinear) {
-    const Stage stage = make_stage(test::is_sanitized ? "floor" : "spheres").value();
+    const Stage stage = make_stage("floor").value();
     const LightingOptions once = under(low_sun);
     const LightingOptions twice = under("cie:12,sun=200/15,horizontal=20klx");
     const std::shared_ptr<const ExchangeGeometry> geometry = geometry_of(stage);
