@@ -51,7 +51,9 @@ def held(folder, lights, targets):
     for name, light in lights.items():
         rig = {"schema": "gonio.rig/1", "lights": []}
         if isinstance(light, str):
-            rig["sky"] = light
+            # As a small picture, since each target has a call of its own, which would work it out again.
+            run("sky", "convert", light, "-s", "64", "-o", name + ".exr", "-q", folder=folder)
+            rig["sky"] = f"image:{name}.exr"
         else:
             rig["lights"] = [{"name": name, **light}]
         with open(os.path.join(folder, name + ".json"), "w", encoding="ascii") as file:

@@ -1,8 +1,11 @@
 // Counts of cases, scaled down where a sanitizer slows everything: it looks for faults of memory, which the first cases
-// show, and not for the accuracy of many.
+// show, and not for the accuracy of many. A test that is only about numbers, and runs no line that a smaller one does
+// not run, is skipped there: `if (test::is_sanitized) GTEST_SKIP() << "which one";`.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 
 namespace gonio::test {
 
@@ -21,6 +24,12 @@ constexpr int scaled(int count) {
 }
 constexpr std::size_t scaled(std::size_t count) {
     return is_sanitized ? count / 20 : count;
+}
+
+// Long cases: the first alone.
+template<class T, std::size_t n>
+constexpr std::span<const T> scaled(const std::array<T, n>& cases) {
+    return std::span<const T>(cases).first(is_sanitized ? 1 : n);
 }
 
 } // namespace gonio::test

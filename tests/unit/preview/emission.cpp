@@ -5,6 +5,7 @@
 #include <gonio/scene/emissive_lights.hpp>
 
 #include "../light/lights.hpp"
+#include "../scaled.hpp"
 #include "../scene/emitted.hpp"
 
 #include <glm/geometric.hpp>
@@ -95,8 +96,8 @@ TEST(SurfaceEmission, ABlackEmitterIsAnAreaLight) {
 
 // Light adds up: what a stage shows under a lamp and with an emitter is the sum of both, by every way of light.
 TEST(SurfaceEmission, ComesInAdditionToReflection) {
-    for (const Primitive& geometry :
-         {Primitive(Ball{{-0.2, 0.2, 0.7}, 0.2}), Primitive(Box{{{-0.3, 0.4, 0.4}}, Vec(0.2)})})
+    const std::array geometries{Primitive(Ball{{-0.2, 0.2, 0.7}, 0.2}), Primitive(Box{{{-0.3, 0.4, 0.4}}, Vec(0.2)})};
+    for (const Primitive& geometry : test::scaled(geometries))
         for (const int bounces : {0, all_bounces}) {
             RenderOptions options = small();
             options.bounces = bounces;

@@ -19,7 +19,7 @@ namespace gonio {
 namespace {
 
 constexpr int pixels = 256;
-constexpr int step = test::is_sanitized ? 48 : 16;
+constexpr int step = test::is_sanitized ? 24 : 9;
 constexpr std::size_t passes = 150; // for each half
 
 double luminance(const Image& picture, int i, int j) {
@@ -31,6 +31,8 @@ double luminance(const Image& picture, int i, int j) {
 // noise out of the square.
 double error_of(const char* material, const char* sky_text) {
     Stage stage = make_stage("spheres").value();
+    int ball = 0; // every third of 25: what the sky sends to each is most of the work
+    std::erase_if(stage.surfaces, [&](const Surface& surface) { return surface.subject && ball++ % 3 != 0; });
     for (Surface& surface : stage.surfaces)
         if (surface.subject) surface.material = parse_material(material).value();
     RenderOptions options;

@@ -5,6 +5,7 @@
 #include <gonio/web/web.hpp>
 
 #include "../folders.hpp"
+#include "../scaled.hpp"
 #include "../temporary_folder.hpp"
 
 #include <fmt/format.h>
@@ -376,7 +377,10 @@ std::size_t parts_of_stream(const std::string& text) {
 TEST(RigPlain, LightsThatArePassedOnAreThoseThatAreKept) {
     std::mt19937 random(5);
     std::string all;
-    for (int i = 0; i < 120000; ++i) {
+    // Under a sanitizer they come in the short first piece and one more.
+    constexpr int count = test::is_sanitized ? 20'000 : 120'000;
+    constexpr std::size_t least_parts = test::is_sanitized ? 2 : 3;
+    for (int i = 0; i < count; ++i) {
         if (i > 0) all += ",\n";
         if (i % 501 == 7 && random() % 2 == 0)
             all += lights[random() % lights.size()];
@@ -385,8 +389,8 @@ TEST(RigPlain, LightsThatArePassedOnAreThoseThatAreKept) {
                                random() % 4000, random() % 1000, random() % 1000, random() % 10);
     }
     const std::string first(luminaires);
-    EXPECT_GT(parts_of_stream(rig_of(all, first)), 2U);
-    EXPECT_GT(parts_of_stream(rig_of(all, first + R"("maintenance":0.7,)")), 2U);
+    EXPECT_GE(parts_of_stream(rig_of(all, first)), least_parts);
+    EXPECT_GE(parts_of_stream(rig_of(all, first + R"("maintenance":0.7,)")), least_parts);
     // The factor comes too late for lights that were passed on: they come again, all at once.
     std::string late = rig_of(all, first);
     late.insert(late.size() - 1, R"(,"maintenance":0.7)");

@@ -4,12 +4,14 @@
 #include <gonio/shader/print.hpp>
 #include <gonio/shader/shader.hpp>
 
+#include "../scaled.hpp"
 #include "cases.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <numeric>
 #include <set>
 #include <string>
@@ -89,7 +91,7 @@ class ShaderErrors : public testing::TestWithParam<std::size_t> {};
 TEST_P(ShaderErrors, AreAsStated) {
     const Formula& formula = formulas()[GetParam()];
     const Function function = recorded(formula);
-    const std::vector<Case> cases = random_cases(formula, 10000);
+    const std::vector<Case> cases = random_cases(formula, test::scaled(std::size_t{10'000}));
     std::array<double, 2> worst{};
     double worst_in_double = 0.0;
     std::vector<double> errors;
@@ -105,18 +107,19 @@ TEST_P(ShaderErrors, AreAsStated) {
     }
     EXPECT_LE(worst[0], formula.error.apart);
     EXPECT_LE(worst[1], formula.error.near);
-    EXPECT_GE(std::max(worst[0], worst[1]), 0.2 * std::max(formula.error.apart, formula.error.near));
     // In double the same graph is the core's formula, but for polynomials that are made for float, and for the limits
     // of ltc, which are those of float.
     EXPECT_LE(worst_in_double, formula.names.method == "ltc" ? formula.error.near : 6e-6);
+    if (formula.names.method == "exact") {
+        EXPECT_LE(formula.error.apart, 1e-5) << "the error bound of the core in float";
+    }
+    if (test::is_sanitized) return; // few poses are not near the worst, and say nothing about shares of them
+    EXPECT_GE(std::max(worst[0], worst[1]), 0.2 * std::max(formula.error.apart, formula.error.near));
     if (formula.names.method == "ltc") { // as the README of the room says: few poses are near the worst
         for (std::vector<double>* const all : {&errors, &errors_in_double}) {
             std::nth_element(all->begin(), all->begin() + 9900, all->end());
             EXPECT_LE((*all)[9900], all == &errors ? 2e-5 : 1e-6);
         }
-    }
-    if (formula.names.method == "exact") {
-        EXPECT_LE(formula.error.apart, 1e-5) << "the error bound of the core in float";
     }
 }
 
@@ -131,7 +134,7 @@ TEST(ShaderBranches, DoNotChangeTheResult) {
             const Recording recording(joined.graph);
             joined.join_stages();
         }
-        for (const Case& pose : random_cases(formula, 500)) {
+        for (const Case& pose : random_cases(formula, test::scaled(std::size_t{500}))) {
             const std::array<float, 3> a = evaluate<float>(early, pose.inputs);
             const std::array<float, 3> b = evaluate<float>(joined, pose.inputs);
             ASSERT_EQ(a, b) << formula.function;

@@ -8,6 +8,7 @@
 
 #include "../folders.hpp"
 #include "../profile/equal.hpp"
+#include "../scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -115,8 +116,10 @@ TEST(ConvertCorpus, EveryPairOfFormatsKeepsTheLight) {
             continue;
         }
         ++of_type_c;
+        const bool has_pairs = !test::is_sanitized || of_type_c % 4 == 1;
         for (std::size_t i = 0; i < first.size(); ++i) {
             note(direct[i], source->web, first[i].web, path);
+            if (!has_pairs) continue;
             std::vector<Written> second;
             for (const ProfileTarget target : every_target)
                 ASSERT_NO_FATAL_FAILURE(convert_into(first[i].profile, target, second));
