@@ -1,8 +1,8 @@
 #include "unpacked_tables.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace gonio::detail {
 
@@ -87,7 +87,7 @@ void PackedTables::read_column(std::size_t rows, std::size_t stride) {
             std::uint64_t bits = 0;
             for (int n = 0; n < 64; ++n)
                 bits = bits << 1U | (even_bit() ? 1U : 0U);
-            values_[i] = std::bit_cast<double>(bits);
+            std::memcpy(&values_[i], &bits, sizeof(bits)); // libc++ 14 has no bit_cast
             continue;
         }
         decimals += more;
