@@ -49,7 +49,7 @@ bool PackedTables::bit(Chance& chance) {
         high_ = high_ << 8U | 0xFFU;
         code_ = code_ << 8U | *next_++;
     }
-    const std::int32_t was = static_cast<std::int32_t>(chance.of_one);
+    const auto was = static_cast<std::int32_t>(chance.of_one);
     const std::int32_t step = 2 * ((one ? 65535 : 0) - was) / (2 * chance.seen + 3);
     chance.of_one = static_cast<std::uint32_t>(std::clamp(was + step, 32, 65503));
     if (chance.seen < 30) ++chance.seen;
