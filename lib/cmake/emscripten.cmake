@@ -10,6 +10,7 @@ option(GONIO_WASM_SMALL "Optimise for size, when a module is linked too; libgoni
 if(GONIO_WASM_SMALL)
     add_compile_options(-flto)
     add_link_options(-flto)
+    add_compile_definitions(GONIO_NO_EXPLANATIONS) # a tenth of it are sentences that `gonio explain` prints
 endif()
 
 # Every engine with SIMD has these instructions, which are shorter than what stands for them (those of bulk memory are too, but

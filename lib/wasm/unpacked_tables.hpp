@@ -2,53 +2,49 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <type_traits>
+#include <vector>
 
 namespace gonio::detail {
 
-template<class T, std::size_t count>
-T& column_at(std::array<T, count>& table, std::size_t row, std::size_t /*column*/) {
-    return table[row];
-}
-template<class T, std::size_t width, std::size_t count>
-T& column_at(std::array<std::array<T, width>, count>& table, std::size_t row, std::size_t column) {
-    return table[row][column];
-}
+class PackedTables {
+public:
+    explicit PackedTables(const unsigned char* bytes);
 
-template<class T, std::size_t count>
-constexpr std::size_t width_of(const std::array<T, count>* /*table*/) {
-    return 1;
-}
-template<class T, std::size_t width, std::size_t count>
-constexpr std::size_t width_of(const std::array<std::array<T, width>, count>* /*table*/) {
-    return width;
-}
-
-template<class Table>
-Table unpacked(const char* text) {
-    Table table;
-    for (std::size_t column = 0; column < width_of(static_cast<const Table*>(nullptr)); ++column) {
-        std::int64_t step = 0;
-        std::int64_t whole = 0;
-        for (std::size_t row = 0; row < table.size(); ++row) {
-            auto& to = column_at(table, row, column);
-            using T = std::remove_reference_t<decltype(to)>;
-            char* end = nullptr;
-            if constexpr (std::integral<T>) {
-                step += std::strtol(text, &end, 10);
-                whole += step;
-                to = static_cast<T>(whole);
-            } else {
-                to = std::strtod(text, &end);
-            }
-            text = end;
+    // The next table, of rows that are structures or arrays of `Number`. `stride`: how many rows are a row of its grid.
+    template<class Number, class Table>
+    Table table(std::size_t stride) {
+        Table table;
+        constexpr std::size_t width = sizeof(table[0]) / sizeof(Number);
+        auto* const numbers = reinterpret_cast<Number*>(table.data());
+        for (std::size_t column = 0; column < width; ++column) {
+            read_column(table.size(), stride);
+            for (std::size_t row = 0; row < table.size(); ++row)
+                numbers[row * width + column] = static_cast<Number>(values_[row]);
         }
+        return table;
     }
-    return table;
-}
+
+private:
+    struct Chance {
+        std::uint32_t of_one = 32768; // in 65536
+        std::int32_t seen = 0;
+    };
+    struct Context {
+        std::array<Chance, 64> longer, second;
+    };
+
+    bool bit(Chance& chance);
+    bool even_bit();
+    std::int64_t number(Context& context, int& length);
+    void read_column(std::size_t rows, std::size_t stride);
+
+    const unsigned char* next_;
+    std::uint32_t low_ = 0, high_ = 0xFFFFFFFF, code_ = 0;
+    Context orders_, decimals_;
+    std::array<Context, 21> steps_;
+    std::vector<double> values_;
+};
 
 } // namespace gonio::detail

@@ -25,13 +25,25 @@ enum class Strict : std::uint8_t {
     only   // it is reported only then
 };
 
+#ifdef GONIO_NO_EXPLANATIONS // for a module that nobody asks for them: their text is not compiled
+struct Explanation {
+    constexpr Explanation() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): rows are written as their text
+    constexpr Explanation(const char* /*text*/) {}
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    constexpr operator std::string_view() const { return {}; }
+};
+#else
+using Explanation = std::string_view;
+#endif
+
 // A row of the tables that `gonio explain` prints.
 struct DiagnosticCode {
     std::string_view code;
     Severity severity; // in tolerant reading, the default
     Strict strict;
-    std::string_view title;       // without a full stop
-    std::string_view explanation; // sentences
+    std::string_view title;  // without a full stop
+    Explanation explanation; // sentences
 
     constexpr Severity strict_severity() const { return strict == Strict::error ? Severity::error : severity; }
 };
@@ -68,7 +80,11 @@ constexpr bool is_complete(const DiagnosticCode& row) {
         if (i < code_family_length ? !(capital || (digit && i > 0)) : !digit) return false;
     }
     if (row.title.empty() || row.title.back() == '.') return false;
+#ifdef GONIO_NO_EXPLANATIONS
+    return true;
+#else
     return !row.explanation.empty() && row.explanation.back() == '.';
+#endif
 }
 
 // Whether every row is complete, each family is contiguous, and its codes ascend, so that no code appears twice.

@@ -3,7 +3,7 @@
 
 namespace gonio::shading {
 
-const LtcEntry ltc_ggx_table[ltc_ggx_size * ltc_ggx_size] = {
+const std::array<LtcEntry, ltc_ggx_size * ltc_ggx_size> ltc_ggx_table{{
     {1.44009e-05F, 1.33389e-08F, 5.11280e-01F, -2.62540e-05F, 8.92071e-01F, 8.89821e-01F},
     {5.61831e-04F, 2.09399e-06F, 5.40637e-01F, -2.73468e-04F, 9.80411e-01F, 9.53767e-01F},
     {2.17480e-03F, 3.37542e-05F, 5.37067e-01F, -1.21367e-03F, 9.94969e-01F, 9.11299e-01F},
@@ -1028,9 +1028,9 @@ const LtcEntry ltc_ggx_table[ltc_ggx_size * ltc_ggx_size] = {
     {7.93724e-01F, 6.71601e-01F, 7.93734e-01F, 4.33475e-03F, 3.76895e-01F, 3.88295e-05F},
     {8.33823e-01F, 7.59356e-01F, 8.33832e-01F, 1.79648e-03F, 3.40500e-01F, 3.62578e-05F},
     {8.76688e-01F, 8.50475e-01F, 8.76701e-01F, -2.13045e-03F, 3.06855e-01F, 3.36228e-05F},
-};
+}};
 
-const LtcEntry ltc_diffuse_table[ltc_diffuse_size * ltc_diffuse_size] = {
+const std::array<LtcEntry, ltc_diffuse_size * ltc_diffuse_size> ltc_diffuse_table{{
     {1.04676e-01F, 1.05687e+00F, 1.06308e+00F, 1.26375e-02F, 4.76095e-04F, 1.22193e-05F},
     {-2.93184e-01F, 1.12626e+00F, 1.07404e+00F, -6.42679e-02F, 1.27323e-01F, 1.68513e-03F},
     {-2.95976e-01F, 1.11606e+00F, 1.06571e+00F, -7.00907e-02F, 2.48132e-01F, 3.27502e-03F},
@@ -1175,6 +1175,6 @@ const LtcEntry ltc_diffuse_table[ltc_diffuse_size * ltc_diffuse_size] = {
     {9.76435e-01F, 9.82950e-01F, 9.76444e-01F, -9.68546e-03F, 7.38541e-01F, 6.63582e-05F},
     {9.67760e-01F, 9.72772e-01F, 9.67772e-01F, -9.84695e-03F, 7.12455e-01F, 6.64722e-05F},
     {9.59283e-01F, 9.62562e-01F, 9.59289e-01F, -1.00816e-02F, 6.85903e-01F, 6.63266e-05F},
-};
+}};
 
 } // namespace gonio::shading

@@ -1,6 +1,7 @@
 // Lobes as linearly transformed cosines, fitted by fit/ltc.cpp: the numbers behind ltc_lobe.hpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace gonio::shading {
@@ -20,7 +21,7 @@ struct LtcEntry {
 // Rows by √μ and columns by √α (GGX) or the linear roughness (renormalised Disney diffuse), both from 0 to 1.
 inline constexpr std::size_t ltc_ggx_size = 32;
 inline constexpr std::size_t ltc_diffuse_size = 12;
-extern const LtcEntry ltc_ggx_table[ltc_ggx_size * ltc_ggx_size];
-extern const LtcEntry ltc_diffuse_table[ltc_diffuse_size * ltc_diffuse_size];
+extern const std::array<LtcEntry, ltc_ggx_size * ltc_ggx_size> ltc_ggx_table;
+extern const std::array<LtcEntry, ltc_diffuse_size * ltc_diffuse_size> ltc_diffuse_table;
 
 } // namespace gonio::shading

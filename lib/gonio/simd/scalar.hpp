@@ -9,7 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#ifdef GONIO_INLINE_BY_SIZE // for one instruction set: what is large is called
+#define GONIO_FORCE_INLINE inline
+#else
 #define GONIO_FORCE_INLINE [[gnu::always_inline]] inline
+#endif
 
 namespace gonio::simd {
 

@@ -251,12 +251,12 @@ std::vector<LtcEntry> fit(bool specular, std::size_t size) {
 }
 
 void print(const char* name, const char* size, const std::vector<LtcEntry>& table) {
-    (void)std::printf("\nconst LtcEntry %s[%s * %s] = {\n", name, size, size);
+    (void)std::printf("\nconst std::array<LtcEntry, %s * %s> %s{{\n", size, size, name);
     for (const LtcEntry& e : table)
         (void)std::printf("    {%.5eF, %.5eF, %.5eF, %.5eF, %.5eF, %.5eF},\n", static_cast<double>(e.along),
                           static_cast<double>(e.raised), static_cast<double>(e.across), static_cast<double>(e.slant),
                           static_cast<double>(e.albedo), static_cast<double>(e.grazing));
-    (void)std::printf("};\n");
+    (void)std::printf("}};\n");
 }
 
 // Checks some places of the library's table: the albedo as integrated now, and an optimum that a new search cannot
@@ -287,8 +287,8 @@ bool check(bool specular, std::size_t size, const LtcEntry* table) {
 
 int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "--check") == 0) {
-        const bool specular = check(true, ltc_ggx_size, ltc_ggx_table);
-        const bool diffuse = check(false, ltc_diffuse_size, ltc_diffuse_table);
+        const bool specular = check(true, ltc_ggx_size, ltc_ggx_table.data());
+        const bool diffuse = check(false, ltc_diffuse_size, ltc_diffuse_table.data());
         return specular && diffuse ? 0 : 1;
     }
     (void)std::printf("// Printed by fit/ltc.cpp; by hand only what that program prints then too.\n"
