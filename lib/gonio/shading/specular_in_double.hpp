@@ -31,11 +31,17 @@ SpecularLuminance<double> specular_in_double(SpecularMethod method, const Light&
 void specular_in_double(const Surfaces& surfaces, const LightConstants& light, const AnisotropicLobeConstants& lobe,
                         SpecularMethod method, float* scale, float* grazing);
 
-// Lobe is α or an AnisotropicGgxLobe.
-template<class Light, class Lobe>
+template<class Light>
 requires SeenAsAnother<Light, double> SpecularLuminance<double>
 specular_in_double(SpecularMethod method, const Light& light, vec3<double> to_center, vec3<double> normal,
-                   vec3<double> view, const Lobe& lobe) {
+                   vec3<double> view, double alpha) {
+    const auto seen = light.seen_from(to_center);
+    return specular_in_double(method, seen.light, seen.to_center, normal, view, alpha);
+}
+template<class Light>
+requires SeenAsAnother<Light, double> SpecularLuminance<double>
+specular_in_double(SpecularMethod method, const Light& light, vec3<double> to_center, vec3<double> normal,
+                   vec3<double> view, const AnisotropicGgxLobe<double>& lobe) {
     const auto seen = light.seen_from(to_center);
     return specular_in_double(method, seen.light, seen.to_center, normal, view, lobe);
 }
