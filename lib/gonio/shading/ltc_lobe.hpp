@@ -22,7 +22,6 @@ template<class S, bool sheared>
 struct LtcShear {
     GONIO_FORCE_INLINE S operator()(S /*x*/, S y) const { return y; }
     GONIO_FORCE_INLINE S undone(S /*x*/, S y) const { return y; }
-    GONIO_FORCE_INLINE S of_x() const { return S(0); }
 };
 template<class S>
 struct LtcShear<S, true> {
@@ -30,11 +29,10 @@ struct LtcShear<S, true> {
 
     GONIO_FORCE_INLINE S operator()(S x, S y) const { return simd::mul_add(factor, x, y); }
     GONIO_FORCE_INLINE S undone(S x, S y) const { return simd::mul_add(-factor, x, y); }
-    GONIO_FORCE_INLINE S of_x() const { return factor; }
 };
 
 // In the frame x (towards which the mirrored view leans), y, z (the normal): x' = m00 x + m02 z, y' = m11 y, z' = m20 x
-// + m22 z. The lobe of an anisotropic surface is sheared too.
+// + m22 z. That of an anisotropic surface is sheared too.
 template<class S, bool sheared = false>
 struct LtcLobe {
     S m00, m02, m11, m20, m22;

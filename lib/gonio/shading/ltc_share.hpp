@@ -18,8 +18,8 @@ namespace gonio::shading {
 namespace detail {
 
 // A sum of arcs as a share of the lobe above the horizon.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S lobe_share(S integral, const LtcLobe<S, sheared>& lobe) {
+template<class S>
+GONIO_FORCE_INLINE S lobe_share(S integral, const LtcLobe<S>& lobe) {
     constexpr double pi = 3.14159265358979323846;
     const S share = integral / (S(pi) * simd::max(lobe.horizon_z, S(1e-12)));
     return simd::min(simd::max(share, S(0)), S(1));
@@ -33,8 +33,8 @@ struct LtcSurvey {
 
 // Half of the transformed horizon's arc from the point where the outline goes below the horizon to the point where it
 // rises again, both transformed.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_closing(const LtcLobe<S, sheared>& lobe, vec3<S> sink, vec3<S> rise) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_closing(const LtcLobe<S>& lobe, vec3<S> sink, vec3<S> rise) {
     return lobe.horizon_z * horizon_arc(sink, rise - sink, lobe.horizon());
 }
 
@@ -75,8 +75,8 @@ GONIO_FORCE_INLINE S ltc_patch(vec3<S> p, vec3<S> area) {
 
 // The cone about a + u cos t + v sin t, a·(u × v) > 0. Hard where it is cut and so flat that floats cannot resolve
 // where the cut is: the ends of the arc are off by a rounding error over the shorter axis.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE LtcSurvey<S> ltc_circle(const LtcLobe<S, sheared>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
+template<class S>
+GONIO_FORCE_INLINE LtcSurvey<S> ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
     const CircleCut<S> horizon(a.z, u.z, v.z);
     if (!simd::any(!horizon.below)) return {S(0), horizon.cut};
     const vec3<S> to_a = lobe(a);
@@ -136,8 +136,8 @@ GONIO_FORCE_INLINE S ltc_scale(vec3<S> center, S size) {
     return S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), size));
 }
 
-template<class S, bool sheared>
-GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S, sheared>& lobe, vec3<S> center, S radius) {
+template<class S>
+GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S>& lobe, vec3<S> center, S radius) {
     const S size = simd::abs(radius);
     const S scale = ltc_scale(center, size);
     const vec3<S> c = center * scale;
@@ -159,8 +159,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S, sheared>& lob
     return {simd::select(exists, e, S(0)), simd::both(exists, touching)};
 }
 
-template<class S, bool sheared>
-GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_disk(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis, S radius,
+template<class S>
+GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_disk(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius,
                                                 bool two_sided) {
     const S size = simd::abs(radius);
     const S scale = ltc_scale(center, size);
@@ -181,8 +181,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_disk(const LtcLobe<S, sheared>& lobe,
     return {simd::select(seen, circle.integral, S(0)), simd::both(seen, simd::either(close, circle.hard))};
 }
 
-template<class S, bool sheared>
-GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis,
+template<class S>
+GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis,
                                                      vec3<S> width_direction, S width, S height, bool two_sided) {
     const S w = simd::abs(width);
     const S h = simd::abs(height);
@@ -263,10 +263,10 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S, sheared>& 
     return {simd::select(lit, sign * e, S(0)), simd::both(lit, close)};
 }
 
-// Evaluates the lanes marked `hard` one by one in double; Shape names what to evaluate. Inputs: the lobe's six entries
+// Evaluates the lanes marked `hard` one by one in double; Shape names what to evaluate. Inputs: the lobe's five entries
 // and the shape's numbers.
-template<class Shape, class S, std::size_t count, bool sheared>
-GONIO_FORCE_INLINE S finish_ltc(const LtcSurvey<S>& survey, const LtcLobe<S, sheared>& lobe, const S (&inputs)[count]) {
+template<class Shape, class S, std::size_t count>
+GONIO_FORCE_INLINE S finish_ltc(const LtcSurvey<S>& survey, const LtcLobe<S>& lobe, const S (&inputs)[count]) {
     S e = survey.integral;
     if constexpr (!__is_same(S, double)) {
         if (simd::any(survey.hard)) e = in_double<Shape>(survey.hard, e, inputs);
@@ -274,14 +274,13 @@ GONIO_FORCE_INLINE S finish_ltc(const LtcSurvey<S>& survey, const LtcLobe<S, she
     return lobe_share(e, lobe);
 }
 
-GONIO_FORCE_INLINE LtcLobe<double, true> lobe_of(const double* m) {
-    LtcLobe<double, true> lobe{};
+GONIO_FORCE_INLINE LtcLobe<double> lobe_of(const double* m) {
+    LtcLobe<double> lobe{};
     lobe.m00 = m[0];
     lobe.m02 = m[1];
     lobe.m11 = m[2];
     lobe.m20 = m[3];
     lobe.m22 = m[4];
-    lobe.shear.factor = m[5];
     const double inverse = 1.0 / __builtin_sqrt(m[0] * m[0] + m[3] * m[3]);
     lobe.horizon_x = -m[3] * inverse;
     lobe.horizon_z = m[0] * inverse;
@@ -289,20 +288,20 @@ GONIO_FORCE_INLINE LtcLobe<double, true> lobe_of(const double* m) {
 }
 
 struct LtcSphereInDouble {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[10]) {
-        return survey_ltc_sphere<double>(lobe_of(&v[0]), {v[6], v[7], v[8]}, v[9]).integral;
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[9]) {
+        return survey_ltc_sphere<double>(lobe_of(&v[0]), {v[5], v[6], v[7]}, v[8]).integral;
     }
 };
 struct LtcDiskInDouble {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[14]) {
-        return survey_ltc_disk<double>(lobe_of(&v[0]), {v[6], v[7], v[8]}, {v[9], v[10], v[11]}, v[12], v[13] != 0.0)
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[13]) {
+        return survey_ltc_disk<double>(lobe_of(&v[0]), {v[5], v[6], v[7]}, {v[8], v[9], v[10]}, v[11], v[12] != 0.0)
             .integral;
     }
 };
 struct LtcRectangleInDouble {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[18]) {
-        return survey_ltc_rectangle<double>(lobe_of(&v[0]), {v[6], v[7], v[8]}, {v[9], v[10], v[11]},
-                                            {v[12], v[13], v[14]}, v[15], v[16], v[17] != 0.0)
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[17]) {
+        return survey_ltc_rectangle<double>(lobe_of(&v[0]), {v[5], v[6], v[7]}, {v[8], v[9], v[10]},
+                                            {v[11], v[12], v[13]}, v[14], v[15], v[16] != 0.0)
             .integral;
     }
 };
@@ -310,16 +309,16 @@ struct LtcRectangleInDouble {
 } // namespace detail
 
 // A sphere of radius r about `center`. d < r: 1.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_sphere(const LtcLobe<S, sheared>& lobe, vec3<S> center, S radius) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_sphere(const LtcLobe<S>& lobe, vec3<S> center, S radius) {
     return detail::finish_ltc<detail::LtcSphereInDouble>(
         detail::survey_ltc_sphere(lobe, center, radius), lobe,
-        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, lobe.shear.of_x(), center.x, center.y, center.z, radius});
+        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, radius});
 }
 
 // A cap of directions about `toward` (unit), given the sine and cosine of its angular radius, at most π/2.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S, sheared>& lobe, vec3<S> toward, S sine, S cosine) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S>& lobe, vec3<S> toward, S sine, S cosine) {
     // A hemisphere's cone is almost flat, but not completely: otherwise its axis would be undefined.
     const S narrow = simd::max(cosine, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const TangentFrame<S> frame(toward);
@@ -327,23 +326,22 @@ GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S, sheared>& lobe, vec3<S> toward, S 
 }
 
 // A disk that emits towards +`axis` (unit), or to both sides. 0 behind its plane.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_disk(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis, S radius,
-                              bool two_sided = false) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_disk(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, bool two_sided = false) {
     return detail::finish_ltc<detail::LtcDiskInDouble>(
         detail::survey_ltc_disk(lobe, center, axis, radius, two_sided), lobe,
-        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, lobe.shear.of_x(), center.x, center.y, center.z, axis.x,
-         axis.y, axis.z, radius, S(two_sided ? 1 : 0)});
+        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, axis.x, axis.y, axis.z, radius,
+         S(two_sided ? 1 : 0)});
 }
 
 // A rectangle that emits towards +`axis`, or to both sides; `width` along `width_direction`, unit and perpendicular.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_rectangle(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis,
-                                   vec3<S> width_direction, S width, S height, bool two_sided = false) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_rectangle(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, vec3<S> width_direction,
+                                   S width, S height, bool two_sided = false) {
     return detail::finish_ltc<detail::LtcRectangleInDouble>(
         detail::survey_ltc_rectangle(lobe, center, axis, width_direction, width, height, two_sided), lobe,
-        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, lobe.shear.of_x(), center.x, center.y, center.z, axis.x,
-         axis.y, axis.z, width_direction.x, width_direction.y, width_direction.z, width, height, S(two_sided ? 1 : 0)});
+        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, axis.x, axis.y, axis.z,
+         width_direction.x, width_direction.y, width_direction.z, width, height, S(two_sided ? 1 : 0)});
 }
 
 } // namespace gonio::shading

@@ -47,9 +47,9 @@ struct LtcEnd {
 };
 
 // Takes the end's axis p/d, u and v (local, of unit length), and sine and cosine of the circle's angle about the axis.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE LtcEnd<S> ltc_end(const LtcLobe<S, sheared>& lobe, vec3<S> axis, vec3<S> u, vec3<S> v, S sine,
-                                     S cosine, S cos_h, S sin_h, simd::mask_of<S> start, simd::mask_of<S> end) {
+template<class S>
+GONIO_FORCE_INLINE LtcEnd<S> ltc_end(const LtcLobe<S>& lobe, vec3<S> axis, vec3<S> u, vec3<S> v, S sine, S cosine,
+                                     S cos_h, S sin_h, simd::mask_of<S> start, simd::mask_of<S> end) {
     const CircleCut<S> horizon(axis.z * cosine, u.z * sine, v.z * sine);
     const auto dips = simd::both(horizon.cut, -horizon.cos_middle >= cos_h);
     const auto bumps = simd::both(simd::both(horizon.cut, horizon.cos_middle >= cos_h), !simd::either(start, end));
@@ -58,12 +58,12 @@ GONIO_FORCE_INLINE LtcEnd<S> ltc_end(const LtcLobe<S, sheared>& lobe, vec3<S> ax
 
 // A capsule that is small after the transform and above the horizon: its visible strip at three points along the axis,
 // and half a sphere's disk at each end.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_small_tube(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis, S r, S half) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_small_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S r, S half) {
     constexpr double pi = 3.14159265358979323846;
     constexpr double node = 0.77459666924148337704;
     constexpr double least = 1e-36;
-    const S determinant = lobe.determinant();
+    const S determinant = lobe.m11 * simd::mul_add(lobe.m00, lobe.m22, -(lobe.m02 * lobe.m20));
     const auto density = [&](vec3<S> p) __attribute__((always_inline)) { // per (dω |p|³)
         const vec3<S> q = lobe(p);
         const S inverse = S(1) / simd::max(dot(q, q), S(least));
@@ -82,8 +82,8 @@ GONIO_FORCE_INLINE S ltc_small_tube(const LtcLobe<S, sheared>& lobe, vec3<S> cen
     return S(4) * r * half * strips + S(0.5 * pi) * r * r * (cap(out) + cap(-out));
 }
 
-template<class S, bool sheared>
-GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis, S radius,
+template<class S>
+GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius,
                                                 S length_m) {
     constexpr double pi = 3.14159265358979323846;
     const S size = simd::abs(radius);
@@ -118,7 +118,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S, sheared>& lobe,
         const vec3<S> c1 = lobe(c);
         const vec3<S> axis1 = lobe(axis);
         const S half2 = dot(axis1, axis1) * half * half;
-        const S stretch = simd::max(lobe.stretch2_across(), simd::mul_add(lobe.m20, lobe.m20, lobe.m22 * lobe.m22));
+        const S stretch = simd::max(simd::max(lobe.m00 * lobe.m00 + lobe.m02 * lobe.m02, lobe.m11 * lobe.m11),
+                                    simd::mul_add(lobe.m20, lobe.m20, lobe.m22 * lobe.m22));
         const S distance2 = dot(c1, c1);
         const S size2 = simd::mul_add(stretch * r, r, half2);
         const auto small = simd::both(size2 < S(__is_same(S, double) ? 1e-7 : 5e-4) * distance2, !cut);
@@ -203,8 +204,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S, sheared>& lobe,
 }
 
 struct LtcTubeInDouble {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[14]) {
-        return survey_ltc_tube<double>(lobe_of(&v[0]), {v[6], v[7], v[8]}, {v[9], v[10], v[11]}, v[12], v[13]).integral;
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[13]) {
+        return survey_ltc_tube<double>(lobe_of(&v[0]), {v[5], v[6], v[7]}, {v[8], v[9], v[10]}, v[11], v[12]).integral;
     }
 };
 
@@ -212,12 +213,12 @@ struct LtcTubeInDouble {
 
 // A cylinder of `length_m` about `center` along `axis` (unit), with half spheres of the same radius as ends. 1 inside
 // it.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_tube(const LtcLobe<S, sheared>& lobe, vec3<S> center, vec3<S> axis, S radius, S length_m) {
-    return detail::finish_ltc<detail::LtcTubeInDouble>(
-        detail::survey_ltc_tube(lobe, center, axis, radius, length_m), lobe,
-        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, lobe.shear.of_x(), center.x, center.y, center.z, axis.x,
-         axis.y, axis.z, radius, length_m});
+template<class S>
+GONIO_FORCE_INLINE S ltc_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, S length_m) {
+    return detail::finish_ltc<detail::LtcTubeInDouble>(detail::survey_ltc_tube(lobe, center, axis, radius, length_m),
+                                                       lobe,
+                                                       {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x,
+                                                        center.y, center.z, axis.x, axis.y, axis.z, radius, length_m});
 }
 
 } // namespace gonio::shading

@@ -19,29 +19,29 @@ namespace gonio::shading {
 
 namespace detail {
 
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const SphereLight<S>& light,
+template<class S>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SphereLight<S>& light,
                                vec3<S> to_center) {
     return ltc_sphere(lobe, frame(to_center), light.radius);
 }
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const DiskLight<S>& light,
+template<class S>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const DiskLight<S>& light,
                                vec3<S> to_center) {
     return ltc_disk(lobe, frame(to_center), frame(light.axis), light.radius, light.two_sided);
 }
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame,
-                               const RectangleLight<S>& light, vec3<S> to_center) {
+template<class S>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const RectangleLight<S>& light,
+                               vec3<S> to_center) {
     return ltc_rectangle(lobe, frame(to_center), frame(light.axis), frame(light.width_direction), light.width,
                          light.height, light.two_sided);
 }
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const TubeLight<S>& light,
+template<class S>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const TubeLight<S>& light,
                                vec3<S> to_center) {
     return ltc_tube(lobe, frame(to_center), frame(light.axis), light.radius, light.length);
 }
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S, sheared>& lobe, const LtcFrame<S>& frame, const SunLight<S>& light,
+template<class S>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SunLight<S>& light,
                                vec3<S> toward) {
     return ltc_cap(lobe, frame(toward), light.sine, light.cosine);
 }
