@@ -39,7 +39,7 @@ struct LtcLobe {
     S horizon_x, horizon_z; // unit normal of the horizon in the transformed space; its y is 0
     S albedo;               // directional albedo for F = 1
     S grazing;              // for F = (1 − l·h)⁵; 0 for a diffuse lobe
-    [[no_unique_address]] LtcShear<S, sheared> shear;
+    [[no_unique_address]] LtcShear<S, sheared> shear{};
 
     GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const {
         const S x = simd::mul_add(m00, p.x, m02 * p.z);

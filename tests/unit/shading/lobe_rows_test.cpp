@@ -41,15 +41,15 @@ TEST(LobeRows, AFanDividesAnglesByTheRule) {
         {LobeRule<double>::five[1], 0.90617984593866399}};
     for (double whole = 1e-6; whole <= pi; whole = whole < 0.01 ? 10.0 * whole : whole + 0.01)
         for (const double from : {-3.0, 0.0, 1.2}) {
-            const auto unit = [](double angle) { return detail::vec2<double>{std::cos(angle), std::sin(angle)}; };
+            const auto unit = [](double angle) { return vec2<double>{std::cos(angle), std::sin(angle)}; };
             const Fan<double> fan(unit(from), unit(from + whole));
             EXPECT_NEAR(fan.half, 0.5 * whole, 4e-5 * whole) << whole;
             for (const Pair& each : pairs) {
                 int side = 0;
                 double weights = 0.0;
-                fan.for_both(each.pair, [&](detail::vec2<double> at, double weight) {
+                fan.for_both(each.pair, [&](vec2<double> at, double weight) {
                     const double expected = from + 0.5 * whole * (1.0 + (side++ == 0 ? -each.at : each.at));
-                    const detail::vec2<double> off = at - unit(expected);
+                    const vec2<double> off = at - unit(expected);
                     EXPECT_LT(std::sqrt(dot(off, off)), 4e-4 * whole / pi) << whole << ' ' << each.at;
                     weights += weight;
                 });
