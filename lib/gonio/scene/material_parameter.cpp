@@ -62,8 +62,9 @@ enum class Answer : std::uint8_t { none, itself, under_another_name, by_its_root
 template<class Key>
 Answer answer(const Key& key, std::string_view name) {
     if (key.parameter == name) return key.parameter == key.name ? Answer::itself : Answer::under_another_name;
-    if (name != "roughness" || key.form == KeyForm::plain) return Answer::none;
-    return key.form == KeyForm::alpha ? Answer::by_its_root : Answer::by_its_complement;
+    if (name != "roughness") return Answer::none;
+    if (key.form == KeyForm::alpha) return Answer::by_its_root;
+    return key.form == KeyForm::smoothness ? Answer::by_its_complement : Answer::none;
 }
 
 // "ue4; frostbite: metal": which materials have it, what it is, and which ones use another name.
