@@ -16,6 +16,8 @@ namespace gonio::shading::detail {
 // A lobe whose kind is known at run time alone, for kernels that are to be small.
 template<class S>
 struct AnyLobe {
+    static constexpr bool is_even = true;
+
     S alpha, power;
     bool is_power;
 
