@@ -35,11 +35,11 @@ Result<void> read_degrees(const KindText& text, std::string_view key, double& ta
     if (value == nullptr) return {};
     std::optional<double> degrees = parse_number(*value);
     if (!degrees) {
-        const Result<double> radians = parse_amount(*value, Dimension::angle, key);
-        if (!radians)
+        const Result<Amount> angle = parse_amount(*value);
+        if (!angle || angle->unit->dimension != Dimension::angle)
             return fail("USE0105", fmt::format("{} of '{}' is not an angle: '{}'", key, text.kind, *value),
                         "write degrees, such as 30 or 30deg");
-        degrees = *radians * (180.0 / std::numbers::pi);
+        degrees = angle->unit == find_unit("deg") ? angle->number : angle->in_base_units() * (180.0 / std::numbers::pi);
     }
     if (std::fabs(*degrees) > 360.0)
         return fail("USE0106",

