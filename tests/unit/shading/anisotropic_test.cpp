@@ -8,6 +8,7 @@
 #include <gonio/shading/specular_in_double.hpp>
 #include <gonio/simd/dispatch.hpp>
 
+#include "../scaled.hpp"
 #include "poses.hpp"
 
 #include <gtest/gtest.h>
@@ -150,6 +151,7 @@ double in_double(const SpecularCases& cases, std::size_t i, const AnisotropicGgx
 
 // Bounds of the median and the 95th percentile of the relative error, a third above what these poses have.
 TEST(Anisotropic, HighlightIsThatOfQuadrature) {
+    if (gonio::test::is_sanitized) GTEST_SKIP() << "KernelsAreThatOfDouble";
     struct Bound {
         Kind kind;
         double median, most;
@@ -162,7 +164,9 @@ TEST(Anisotropic, HighlightIsThatOfQuadrature) {
         for (std::size_t i = 0; i < cases.size(); ++i)
             lobes.push_back(random_lobe(random));
         std::vector<double> errors(cases.size(), -1.0);
-        gonio::parallel_for(cases.size(), 0, [&](std::size_t i) {
+        constexpr std::size_t every = 4; // which leaves some of each light
+        gonio::parallel_for(cases.size() / every, 0, [&](std::size_t k) {
+            const std::size_t i = every * k;
             const Vec n = poses::unit(at(cases.area.normal, i));
             const Vec v = poses::unit(at(cases.view, i));
             const double truth =
@@ -173,7 +177,7 @@ TEST(Anisotropic, HighlightIsThatOfQuadrature) {
         });
         std::erase(errors, -1.0);
         std::sort(errors.begin(), errors.end());
-        ASSERT_GT(errors.size(), 200U);
+        ASSERT_GT(errors.size(), 60U);
         EXPECT_LT(errors[errors.size() / 2], bound.median) << static_cast<int>(bound.kind);
         EXPECT_LT(errors[errors.size() * 19 / 20], bound.most) << static_cast<int>(bound.kind);
     }
