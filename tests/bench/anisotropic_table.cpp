@@ -119,8 +119,9 @@ private:
         for (int i = 0; i < steps; ++i)
             for (int k = 0; k < steps; ++k) {
                 const Vec l = reflected_direction_ggx(v, alphas, (i + 0.5) / steps, (k + 0.5) / steps);
-                const double pdf = pdf_reflected_ggx(v, l, alphas);
-                if (l.z > 0.0 && pdf > 0.0) sum += specular_ggx(l, v, alphas, alphas).scale * l.z / pdf;
+                const FacetPose<double> pose(l, v);
+                const double pdf = pdf_reflected_ggx(pose, alphas);
+                if (l.z > 0.0 && pdf > 0.0) sum += specular_ggx(pose, alphas, alphas).scale * l.z / pdf;
             }
         return sum / (steps * steps);
     }

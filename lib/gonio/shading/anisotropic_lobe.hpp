@@ -119,7 +119,7 @@ struct AnisotropicGgxLobe {
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
         const TangentFrame<S> frame = grain.frame(n);
         const S more = simd::max(widened - alpha, S(0));
-        return specular_ggx(frame.to_local(l), frame.to_local(v), alphas, {alphas.x + more, alphas.y + more});
+        return specular_ggx(FacetPose<S>(frame, l, v), alphas, {alphas.x + more, alphas.y + more});
     }
     GONIO_FORCE_INLINE AnisotropicGgxInFrame<S> in(const LtcFrame<S>& frame) const {
         const vec3<S> t = grain.along(frame.z);

@@ -77,7 +77,7 @@ GONIO_FORCE_INLINE S pdf_brdf(const Anisotropic<S>& material, vec3<S> n, vec3<S>
     const TangentFrame<S> frame = material.grain.frame(n);
     const S n_dot_v = dot(n, v);
     const S share = lobes(detail::as_isotropic(material), n_dot_v).specular_share;
-    const S specular = pdf_reflected_ggx(frame.to_local(v), frame.to_local(l), detail::lobe_alphas(material));
+    const S specular = pdf_reflected_ggx(FacetPose<S>(frame, l, v), detail::lobe_alphas(material));
     return simd::select(above_surface(n_dot_v), simd::mul_add(share, specular, (S(1) - share) * pdf_cosine(dot(n, l))),
                         S(0));
 }

@@ -58,12 +58,25 @@ GONIO_FORCE_INLINE S visibility_ggx(vec3<S> l, vec3<S> v, AnisotropicAlpha<S> al
     return S(0.5) / simd::mul_add(l.z, widened_cosine_ggx(v, alpha), v.z * widened_cosine_ggx(l, alpha));
 }
 
+// Two directions and their half vector in the surface's frame. The half vector is computed before it is turned to that
+// frame: of opposite directions, rounding each to the frame would leave nothing.
+template<class S>
+struct FacetPose {
+    vec3<S> l, v, h; // unit
+
+    GONIO_FORCE_INLINE FacetPose(const TangentFrame<S>& frame, vec3<S> to_light, vec3<S> to_eye)
+        : l(frame.to_local(to_light)), v(frame.to_local(to_eye)), h(frame.to_local(normalized(to_light + to_eye))) {}
+    // Of directions in the frame.
+    GONIO_FORCE_INLINE FacetPose(vec3<S> to_light, vec3<S> to_eye)
+        : l(to_light), v(to_eye), h(normalized(to_light + to_eye)) {}
+};
+
 // 0 where n·l or n·v is not above_surface().
 template<class S>
-GONIO_FORCE_INLINE SpecularTerms<S> specular_ggx(vec3<S> l, vec3<S> v, AnisotropicAlpha<S> alpha,
+GONIO_FORCE_INLINE SpecularTerms<S> specular_ggx(const FacetPose<S>& pose, AnisotropicAlpha<S> alpha,
                                                  AnisotropicAlpha<S> widened) {
+    const auto& [l, v, h] = pose;
     const auto lit = simd::both(above_surface(l.z), above_surface(v.z));
-    const vec3<S> h = normalized(l + v);
     const vec3<S> lit_l{l.x, l.y, simd::select(lit, l.z, S(1))};
     const vec3<S> lit_v{v.x, v.y, simd::select(lit, v.z, S(1))};
     const S scale = distribution_ggx(h, S(1), alpha, widened) * visibility_ggx(lit_l, lit_v, alpha);
@@ -97,8 +110,8 @@ GONIO_FORCE_INLINE vec3<S> reflected_direction_ggx(vec3<S> v, AnisotropicAlpha<S
 
 // The density of reflected_direction_ggx [1/sr].
 template<class S>
-GONIO_FORCE_INLINE S pdf_reflected_ggx(vec3<S> v, vec3<S> l, AnisotropicAlpha<S> alpha) {
-    const vec3<S> h = normalized(l + v);
+GONIO_FORCE_INLINE S pdf_reflected_ggx(const FacetPose<S>& pose, AnisotropicAlpha<S> alpha) {
+    const auto& [l, v, h] = pose;
     const auto seen = simd::both(above_surface(v.z), h.z > S(0));
     const S seen_share = S(0.5) / (simd::max(v.z, S(0)) + widened_cosine_ggx(v, alpha));
     return simd::select(seen, distribution_ggx(h, S(1), alpha, alpha) * seen_share, S(0));

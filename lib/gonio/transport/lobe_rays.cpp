@@ -76,7 +76,7 @@ Sampled sampled(const Value& value, const LobeFacets& facets, double cosine, dou
         LobeRay facet;
         facet.direction = glm::vec3(vec(is_even ? h : turned(h, c, -s)));
         const double pdf = is_even ? shading::pdf_reflected_ggx(n, v, l, facets.alphas.x)
-                                   : shading::pdf_reflected_ggx(v, l, facets.alphas);
+                                   : shading::pdf_reflected_ggx(shading::FacetPose<double>(l, v), facets.alphas);
         facet.width =
             static_cast<float>(std::min(std::sqrt(1.0 / (std::max(pdf, 1e-3) * static_cast<double>(count))), widest));
         if (l.z > 0.0 && pdf > 0.0) {
