@@ -25,6 +25,17 @@ shading::Coated core_material(const CoatedMaterial& material) {
     return shading::coated_material(core_material(material.base), coat.amount, coat.smoothness, coat.order);
 }
 
+bool is_anisotropic(const CoreMaterial& material) {
+    return std::visit(
+        []<class Core>(const Core& core) {
+            if constexpr (std::is_same_v<Core, shading::Coated>)
+                return std::holds_alternative<shading::Anisotropic<double>>(core.base);
+            else
+                return std::is_same_v<Core, shading::Anisotropic<double>>;
+        },
+        material);
+}
+
 CoreMaterial core_material(const Material& material) {
     return std::visit(
         []<class M>(const M& m) -> CoreMaterial {

@@ -30,4 +30,7 @@ CoreMaterial core_material(const Material& material);
 // The same of the base, with the coat on it.
 shading::Coated core_material(const CoatedMaterial& material);
 
+// Whether its lobe, or that below its coat, depends on the tangent of a surface.
+bool is_anisotropic(const CoreMaterial& material);
+
 } // namespace gonio

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <type_traits>
 #include <variant>
 
 namespace gonio {
@@ -15,14 +14,6 @@ namespace gonio {
 namespace {
 
 using Vec = shading::vec3<double>;
-
-template<class Core>
-bool is_anisotropic(const Core& core) {
-    if constexpr (std::is_same_v<Core, shading::Coated>)
-        return std::visit([](const auto& base) { return is_anisotropic(base); }, core.base);
-    else
-        return Core::lobe == shading::LobeKind::anisotropic_ggx;
-}
 
 } // namespace
 
@@ -38,7 +29,7 @@ DirectionalAlbedo::DirectionalAlbedo(const CoreMaterial& material, Fineness fine
     const auto fraction = [](double x) { return x - std::floor(x); };
     std::visit(
         [&](const auto& core) {
-            const bool turns = is_anisotropic(core);
+            const bool turns = is_anisotropic(material);
             const int directions = turns ? 4 * per_view : per_view;
             for (int node = 0; node < nodes; ++node) {
                 const double root = std::max(node / (nodes - 1.0), 1e-3);

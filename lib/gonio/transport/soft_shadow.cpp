@@ -1,4 +1,6 @@
 #include <gonio/scene/capsule_overlap.hpp>
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
 #include <gonio/transport/ray_bundle.hpp>
@@ -232,7 +234,12 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
     // In the frame of the surface, whose normal is z.
     constexpr std::size_t most = light_line_count * cell_count;
     const std::size_t count = lines_.count * cell_count;
-    const Frame frame = frame_about(point_, normal_);
+    Frame frame = frame_about(point_, normal_);
+    if (is_anisotropic(material)) {
+        // Tangents of scenes are level, and X where the normal is Z.
+        frame.x = vec(grain_of(0.0).along(vec(normal_)));
+        frame.y = glm::cross(frame.z, frame.x);
+    }
     const glm::dvec3 to_eye = frame.to_local(view);
     std::array<std::array<float, most>, 3> lights{};
     std::array<std::array<float, most>, 3> eyes{};
