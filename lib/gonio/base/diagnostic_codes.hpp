@@ -34,7 +34,7 @@ struct Explanation {
     constexpr operator std::string_view() const { return {}; }
 };
 #else
-using Explanation = std::string_view;
+using Explanation = std::string_view; // the sentences of a code, which some modules leave out
 #endif
 
 // A row of the tables that `gonio explain` prints.
