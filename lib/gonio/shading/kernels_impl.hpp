@@ -252,11 +252,22 @@ void add_coat(const Surfaces& surfaces, const Light& any, const CoatConstants& c
     });
 }
 
+// What reflect_part() reads of a material: all that is not the shape of its lobe. The same code serves both kinds of
+// glTF's material.
+template<class S, template<class> class Material>
+GONIO_FORCE_INLINE const Material<S>& apart_from_lobe(const Material<S>& material) {
+    return material;
+}
+template<class S>
+GONIO_FORCE_INLINE Gltf<S> apart_from_lobe(const Anisotropic<S>& material) {
+    return as_isotropic(material);
+}
+
 // The exact irradiance and the glossy luminance have separate kernels; here they are combined, part by part.
 template<class S, template<class> class Material, const SpecularKernels& specular>
 void shade_area(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material_constants,
                 float* const rgb[3]) {
-    const auto material = material_of<Material, S>(material_constants);
+    const auto material = apart_from_lobe(material_of<Material, S>(material_constants));
     const CoatConstants& coat = material_constants.coat;
     constexpr std::size_t most = PartUnderLight<S>::most;
     PartUnderLight<S> under;
