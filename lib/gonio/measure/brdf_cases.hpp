@@ -43,8 +43,9 @@ inline constexpr bool is_color<ColorKey<M>> = true;
 
 } // namespace detail
 
-// The material with those parameters, assigned in the order of its keys, as the shading core takes it.
-template<class M, class S>
+// The material with those parameters, assigned in the order of its keys, as the shading core takes it; `simple`: in the
+// form that takes less time; values that this form does not read have no effect.
+template<class M, class S, bool simple = false>
 auto make(const BrdfParameters& from) {
     std::size_t next = 0;
     const auto value = [&](const auto& key) {
@@ -57,8 +58,14 @@ auto make(const BrdfParameters& from) {
     return std::apply(
         [&](const auto&... key) {
             // Braces guarantee evaluation from left to right.
-            return std::apply([](auto... values) { return MaterialDescription<M>::core(values...); },
-                              std::tuple{value(key)...});
+            return std::apply(
+                [](auto... values) {
+                    if constexpr (simple)
+                        return MaterialDescription<M>::simple(values...);
+                    else
+                        return MaterialDescription<M>::core(values...);
+                },
+                std::tuple{value(key)...});
         },
         MaterialDescription<M>::keys);
 }

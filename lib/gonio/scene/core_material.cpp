@@ -9,8 +9,10 @@ namespace {
 // Of a material without a coat.
 template<class Cores, class M>
 Cores core_of(const M& material) {
-    if constexpr (requires { MaterialDescription<M>::simpler(material); })
-        if (const auto simpler = MaterialDescription<M>::simpler(material)) return *simpler;
+    if constexpr (HasSimpleForm<M>)
+        if (MaterialDescription<M>::is_simple(material))
+            return detail::from_values(material,
+                                       [](const auto&... values) { return MaterialDescription<M>::simple(values...); });
     return core_material(material);
 }
 

@@ -23,7 +23,7 @@ struct CoresOf<shading::MaterialList<Core...>> {
 
 using CoreMaterial = detail::CoresOf<shading::Materials>::type;
 
-// By the simpler BRDF where a description has one.
+// By the simple BRDF where a description has one.
 shading::AnyMaterial core_material(const BaseMaterial& material);
 CoreMaterial core_material(const Material& material);
 

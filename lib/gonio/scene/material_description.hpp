@@ -10,9 +10,9 @@
 //       those of M's members.
 //   core(values of the keys in their order)
 //       Its BRDF of shading/brdf_*.hpp, for numbers S and colours vec3<S>.
-//   simpler(const M&)
-//       Only where there is one: a BRDF that is the same for some values of the keys and takes less time, if they are
-//       these.
+//   is_simple(const M&), simple(values of the keys in their order)
+//       Only where some values of the keys have a BRDF that is the same and takes less time: whether they are these,
+//       and that BRDF.
 //   chart_colors(const M&)
 //       The colours that the artists' charts judge.
 //
@@ -27,7 +27,6 @@
 
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -88,9 +87,11 @@ shading::Grain<S> grain_of(S rotation_deg) {
 // Whether the materials are of one kind and have the same numbers.
 bool are_same(const Material& a, const Material& b);
 
-// Calls core(…) of a material.
-template<class M>
-auto core_material(const M& material) {
+namespace detail {
+
+// Calls build(values of the keys in their order).
+template<class M, class Build>
+auto from_values(const M& material, const Build& build) {
     const auto value = [&](const auto& key) {
         const auto& member = material.*key.member;
         if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>)
@@ -98,9 +99,22 @@ auto core_material(const M& material) {
         else
             return shading::vec3<double>{member.x, member.y, member.z};
     };
-    return std::apply([&](const auto&... key) { return MaterialDescription<M>::core(value(key)...); },
-                      MaterialDescription<M>::keys);
+    return std::apply([&](const auto&... key) { return build(value(key)...); }, MaterialDescription<M>::keys);
 }
+
+} // namespace detail
+
+// Calls core(…) of a material.
+template<class M>
+auto core_material(const M& material) {
+    return detail::from_values(material, [](const auto&... values) { return MaterialDescription<M>::core(values...); });
+}
+
+// Has values of the keys with a BRDF that takes less time.
+template<class M>
+concept HasSimpleForm = requires(const M& material) {
+    MaterialDescription<M>::is_simple(material);
+};
 
 template<>
 struct MaterialDescription<LambertMaterial> {
@@ -186,9 +200,10 @@ struct MaterialDescription<GltfMaterial> {
         const shading::Gltf<S> even = shading::gltf_material(base, metallic, roughness);
         return {even.albedo, even.f0, even.f90, shading::gltf_alpha(even.alpha, anisotropy), grain_of(rotation_deg)};
     }
-    static std::optional<shading::Gltf<double>> simpler(const GltfMaterial& m) {
-        if (m.anisotropy != 0.0) return {};
-        return shading::gltf_material(shading::vec3<double>{m.base.x, m.base.y, m.base.z}, m.metallic, m.roughness);
+    static bool is_simple(const GltfMaterial& m) { return m.anisotropy == 0.0; }
+    template<class S>
+    static shading::Gltf<S> simple(shading::vec3<S> base, S metallic, S roughness, S /*anisotropy*/, S /*rotation*/) {
+        return shading::gltf_material(base, metallic, roughness);
     }
     static ChartColors chart_colors(const GltfMaterial& m) {
         return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
@@ -229,9 +244,10 @@ struct MaterialDescription<GgxMaterial> {
     static shading::Anisotropic<S> core(shading::vec3<S> f0, S alpha, S anisotropy, S rotation_deg) {
         return {{S(0), S(0), S(0)}, f0, S(1), shading::openpbr_alpha(alpha, anisotropy), grain_of(rotation_deg)};
     }
-    static std::optional<shading::Ggx<double>> simpler(const GgxMaterial& m) {
-        if (m.anisotropy != 0.0) return {};
-        return shading::Ggx<double>{{m.f0.x, m.f0.y, m.f0.z}, m.alpha};
+    static bool is_simple(const GgxMaterial& m) { return m.anisotropy == 0.0; }
+    template<class S>
+    static shading::Ggx<S> simple(shading::vec3<S> f0, S alpha, S /*anisotropy*/, S /*rotation*/) {
+        return {f0, alpha};
     }
     static ChartColors chart_colors(const GgxMaterial& m) { return {{ChartColor::As::specular, "f0", m.f0}}; }
 };

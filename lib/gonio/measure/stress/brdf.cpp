@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -68,14 +69,14 @@ std::string text(const BrdfParameters& parameters, const BrdfPose& pose) {
 }
 
 // Each pose as a single float and as a lane of a pack.
-template<class M>
+template<class M, bool simple>
 void reflectance(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t of_one_material = 16;
     constexpr std::size_t width = lanes<Pack>;
     for (std::uint64_t done = 0; done < evaluations; done += 2 * of_one_material) {
         const BrdfParameters parameters(random, true);
-        const auto one = make<M, float>(parameters);
-        const auto many = make<M, Pack>(parameters);
+        const auto one = make<M, float, simple>(parameters);
+        const auto many = make<M, Pack, simple>(parameters);
         for (std::size_t first = 0; first < of_one_material; first += width) {
             std::array<BrdfPose, width> poses;
             float columns[12][width];
@@ -157,13 +158,13 @@ void by_kernels(Random& random, std::uint64_t evaluations, StressTally& tally) {
 using Asked = std::array<double, 17>;
 using Answer = std::array<double, 4>;
 
-template<class M, class S>
+template<class M, class S, bool simple>
 Answer answer(const Asked& asked, BrdfParameters parameters) {
     const auto vec = [&](std::size_t first) {
         return vec3<S>{S(asked[first]), S(asked[first + 1]), S(asked[first + 2])};
     };
     std::copy(asked.begin() + 9, asked.end(), parameters.p.begin());
-    const auto material = make<M, S>(parameters);
+    const auto material = make<M, S, simple>(parameters);
     const vec3<S> f = brdf(material, vec(0), vec(3), vec(6));
     return {double(f.x), double(f.y), double(f.z), double(pdf_brdf(material, vec(0), vec(6), vec(3)))};
 }
@@ -171,7 +172,7 @@ Answer answer(const Asked& asked, BrdfParameters parameters) {
 // The tolerance is eight times the change of the double result when each input moves by half a unit in the last place
 // (of 1 for directions), plus eight such units of the greatest channel. Where a cosine is below 1e-6, floats cannot
 // tell the two sides of the surface apart, so these cases are skipped.
-template<class M>
+template<class M, bool simple>
 void against_double(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr double half_ulp = 0x1p-24;
     // The energy that a lobe loses comes from a table with an error of 6e-5: where its polynomial crosses 0, the last
@@ -196,17 +197,17 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
             tally.looked_at(1);
             continue;
         }
-        const Answer truth = answer<M, double>(asked, parameters);
+        const Answer truth = answer<M, double, simple>(asked, parameters);
         Answer moved{};
         for (std::size_t i = 0; i < asked.size(); ++i) {
             Asked beside = asked;
             beside[i] += i < 9 ? half_ulp : half_ulp * asked[i];
             if (i >= 9 && beside[i] > 1.0) beside[i] = asked[i] * (1.0 - half_ulp);
-            const Answer there = answer<M, double>(beside, parameters);
+            const Answer there = answer<M, double, simple>(beside, parameters);
             for (std::size_t k = 0; k < moved.size(); ++k)
                 moved[k] += std::fabs(there[k] - truth[k]);
         }
-        const Answer found = answer<M, float>(asked, parameters);
+        const Answer found = answer<M, float, simple>(asked, parameters);
         const double greatest = *std::max_element(truth.begin(), truth.begin() + 3);
         double worst = 0.0;
         for (std::size_t k = 0; k < truth.size(); ++k) {
@@ -222,10 +223,10 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
 }
 
 // Checks a material in float, and against double.
-template<class M>
+template<class M, bool simple>
 void material(Random& random, std::uint64_t evaluations, StressTally& tally) {
-    reflectance<M>(random, evaluations - evaluations / 8, tally);
-    against_double<M>(random, evaluations / 8, tally);
+    reflectance<M, simple>(random, evaluations - evaluations / 8, tally);
+    against_double<M, simple>(random, evaluations / 8, tally);
 }
 
 constexpr const char* bar =
@@ -238,8 +239,12 @@ std::span<const StressSubject> brdf_stress() {
         std::vector<StressSubject> made;
         for_each_material([&]<class M>() {
             constexpr bool of_table = std::is_same_v<M, KullaContyMaterial>;
-            made.push_back(
-                {MaterialDescription<M>::kind, of_table ? "the same and 1e-3 of the value" : bar, 0.3, material<M>});
+            constexpr const char* bound = of_table ? "the same and 1e-3 of the value" : bar;
+            made.push_back({MaterialDescription<M>::kind, bound, 0.3, material<M, false>});
+            if constexpr (HasSimpleForm<M>) {
+                static const std::string name = fmt::format("{} in its simple form", MaterialDescription<M>::kind);
+                made.push_back({name, bound, 0.3, material<M, true>});
+            }
         });
         made.push_back({"materials by the kernels", "finite and not negative", 1.0, by_kernels});
         return made;
