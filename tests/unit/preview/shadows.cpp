@@ -240,6 +240,41 @@ TEST(ThreadsSoftShadows, PenumbraeAreThoseOfCountedRays) {
     RecordProperty("rms_percent", std::to_string(100.0 * std::sqrt(squares / count)));
 }
 
+// A half hidden light on brushed metal: the same picture when all is turned about the vertical, as tangents are level.
+TEST(SoftShadows, TurnWithBrushedMetal) {
+    const auto picture = [](double turn) {
+        const auto turned = [&](const Vec& p) {
+            return Vec(std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y, p.z);
+        };
+        Stage stage;
+        const Material brushed = parse_material("ggx:f0=0.9,alpha=0.2,anisotropy=0.9,rotation=30").value();
+        stage.surfaces = {{"wall", Plane{turned({0, 1, 0}), turned({0, -0.8, 0.6})}, brushed},
+                          {"ball", Ball{turned({0.1, 0.0, 0.7}), 0.3}, LambertMaterial{}}};
+        stage.camera = {turned({0.4, -3.0, 1.0}), turned({0, 1, 0.2}), {0, 0, 1}, 30.0};
+        const Light light =
+            light_of("rect:w=60cm,h=30cm", "1000lm", turned({0, -0.8, 1.8}), turned({0, 0.6, -0.8}), turned({1, 0, 0}));
+        RenderOptions options;
+        options.width = 64;
+        options.height = 48;
+        options.bounces = 0;
+        options.shadows = Shadows::soft;
+        return lit(stage, light, options).luminance_nt.pixels;
+    };
+    const auto straight = picture(0.0);
+    for (const double turn : {0.6, 2.5, 4.0}) {
+        const auto other = picture(turn);
+        ASSERT_EQ(other.size(), straight.size());
+        double apart = 0.0;
+        double all = 0.0;
+        for (std::size_t i = 0; i < other.size(); ++i) {
+            apart += static_cast<double>(std::fabs(other[i] - straight[i]));
+            all += static_cast<double>(straight[i]);
+        }
+        ASSERT_GT(all, 0.0);
+        EXPECT_LT(apart, 1e-3 * all) << turn;
+    }
+}
+
 // How much a sphere hides of a spherical light, including the cosine, against the integral over the cap in rings.
 TEST(SoftShadows, CapsHideWhatTheirIntegralSays) {
     Numbers numbers(9);
