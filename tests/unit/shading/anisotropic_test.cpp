@@ -9,6 +9,7 @@
 #include <gonio/simd/dispatch.hpp>
 
 #include "../scaled.hpp"
+#include "facet_rule.hpp"
 #include "poses.hpp"
 
 #include <gtest/gtest.h>
@@ -59,20 +60,9 @@ TEST(Anisotropic, EvenLobeIsThatOfGgx) {
 // The facets' projected area is that of the surface: ∫ D n·h dh = 1.
 TEST(Anisotropic, DistributionIsNormalised) {
     for (const AnisotropicAlpha<double> alphas : {AnisotropicAlpha<double>{0.3, 0.3}, {0.9, 0.1}, {0.05, 1.2}}) {
-        constexpr int steps = 400;
         double sum = 0.0;
-        for (int i = 0; i < steps; ++i)
-            for (int k = 0; k < steps; ++k) {
-                // Slopes (α_x r cos φ, α_y r sin φ) with r² = s/(1 − s).
-                const double s = (i + 0.5) / steps;
-                const double r = std::sqrt(s / (1.0 - s));
-                const double phi = 2.0 * pi * (k + 0.5) / steps;
-                const Vec slope{alphas.x * r * std::cos(phi), alphas.y * r * std::sin(phi), 1.0};
-                const Vec h = poses::unit(slope);
-                // dh = n·h³ dslope, dslope = α_x α_y r dr dφ, r dr = ds/(2 (1 − s)²).
-                const double area = alphas.x * alphas.y * 0.5 / ((1.0 - s) * (1.0 - s)) * 2.0 * pi;
-                sum += distribution_ggx(h, 1.0, alphas, alphas) * h.z * h.z * h.z * h.z * area / (steps * steps);
-            }
+        facet_rule::each(alphas, 400,
+                         [&](const Vec& h, double dh) { sum += distribution_ggx(h, 1.0, alphas, alphas) * h.z * dh; });
         EXPECT_NEAR(sum, 1.0, 1e-9) << alphas.x << ' ' << alphas.y;
     }
 }

@@ -4,6 +4,7 @@
 
 #include "brdf_cases.hpp"
 #include "chi_square.hpp"
+#include "facet_rule.hpp"
 #include "poses.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -88,27 +88,18 @@ template<class M>
 double albedo_by_quadrature(const M& material, const Vec& /*n*/, const Vec& /*v*/, double mu) {
     return gonio::shading::directional_albedo(material, mu, lobe_alpha(material)).z;
 }
-// Over the slopes of facets, (α_x r cos φ, α_y r sin φ) with r² = s/(1 − s), for the lobe.
+// By facets for the lobe.
 double albedo_by_quadrature(const gonio::shading::Anisotropic<double>& material, const Vec& n, const Vec& v,
                             double mu) {
     const auto frame = material.grain.frame(n);
     const Vec view = frame.to_local(v);
-    constexpr int steps = 600;
     double sum = 0.0;
-    for (int i = 0; i < steps; ++i)
-        for (int k = 0; k < steps; ++k) {
-            const double s = (i + 0.5) / steps;
-            const double r = std::sqrt(s / (1.0 - s));
-            const double phi = 2.0 * std::numbers::pi * (k + 0.5) / steps;
-            const Vec h =
-                poses::unit({material.alphas.x * r * std::cos(phi), material.alphas.y * r * std::sin(phi), 1.0});
-            const double v_dot_h = dot(view, h);
-            const Vec l = h * (2.0 * v_dot_h) - view;
-            if (!(l.z > 0.0) || !(v_dot_h > 0.0)) continue;
-            const double area = material.alphas.x * material.alphas.y * std::numbers::pi / ((1.0 - s) * (1.0 - s));
-            sum += specular_part(material, n, frame.to_world(l), v, 0.0).z * l.z * 4.0 * v_dot_h * h.z * h.z * h.z *
-                   area / (steps * steps);
-        }
+    facet_rule::each(material.alphas, 600, [&](const Vec& h, double dh) {
+        const double v_dot_h = dot(view, h);
+        const Vec l = h * (2.0 * v_dot_h) - view;
+        if (l.z > 0.0 && v_dot_h > 0.0)
+            sum += specular_part(material, n, frame.to_world(l), v, 0.0).z * l.z * 4.0 * v_dot_h * dh;
+    });
     const auto matte = diffuse_alone(material);
     return sum + gonio::shading::directional_albedo(matte, mu, lobe_alpha(matte)).z;
 }
