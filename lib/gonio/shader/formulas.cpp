@@ -482,33 +482,44 @@ void shade_area(Function& f) {
     if (f.stages.front().value == last) f.stages = {{no_node, last, {}}}; // there is no diffuse part
 }
 
-// GGX under an area light by linearly transformed cosines: specular_by_share.hpp with the numbers of the lobe as
-// parameters, which come from a table (`gonio bake --table ltc-ggx`).
+// GGX under an area light by linearly transformed cosines, with the numbers of the cosine as parameters, which come
+// from a table (`gonio bake --table ltc-ggx`).
 template<class Light>
-void highlight_ltc(Function& f) {
-    const Light light(f);
-    const Vector view = f.unit("view", "unit, from the surface to the eye");
-    const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
-    const S f90 = share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces");
-    const S roughness = share_of(f, "roughness", "linear, [0, 1]: alpha is its square");
-    const Vector leaning = f.vector("leaning", "along, raised and across of the table at n.v and the roughness");
-    const Vector reflected = f.vector("reflected", "slant, albedo and grazing of the table at the same place");
-    const S alpha = simd::max(roughness * roughness, S(core::minimum_alpha));
-    const core::GgxLobe<S> lobe{alpha};
-    const auto cosine_of = [&](S n_dot_v, S sine) {
+struct CosineHighlight {
+    Light light;
+    Vector view, f0;
+    S f90, roughness;
+    Vector leaning, reflected;
+    core::GgxLobe<S> lobe;
+
+    explicit CosineHighlight(Function& f)
+        : light(f),
+          view(f.unit("view", "unit, from the surface to the eye")),
+          f0(color_of(f, "f0", "[0, 1], reflectance at normal incidence")),
+          f90(share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces")),
+          roughness(share_of(f, "roughness", "linear, [0, 1]: alpha is its square")),
+          leaning(f.vector("leaning", "along, raised and across of the table at n.v and the roughness")),
+          reflected(f.vector("reflected", "slant, albedo and grazing of the table at the same place")),
+          lobe{simd::max(roughness * roughness, S(core::minimum_alpha))} {}
+
+    core::LtcLobe<S> cosine(S n_dot_v, S sine) const {
         const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
-        return core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y, reflected.z, alpha,
-                                       mu, sine);
-    };
-    const auto result = [&](S scale, S grazing) { return (f0 + (Vector{f90, f90, f90} - f0) * grazing) * scale; };
-    const auto of = light.as_light();
-    // The simple case of specular_by_share().
-    const auto pose = core::detail::lobe_pose(of, light.to_center, light.normal, view, cosine_of);
-    constexpr double alone = core::detail::ltc_points_alone[0];
-    const auto small = pose.size2 < S(alone * alone) * pose.distance2;
-    const auto dark = pose.is_below();
-    const auto sums = core::detail::point_sums<core::detail::CosineSum::none>(pose.points, lobe, pose.cosine, pose.v);
-    const core::SpecularLuminance<S> by_points = core::detail::points_alone(sums, dark);
+        return core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y, reflected.z,
+                                       lobe.alpha, mu, sine);
+    }
+    auto cosine_of() const {
+        return [this](S n_dot_v, S sine) { return cosine(n_dot_v, sine); };
+    }
+    auto pose() const {
+        return core::detail::lobe_pose(light.as_light(), light.to_center, light.normal, view, cosine_of());
+    }
+    Vector luminance(const core::SpecularLuminance<S>& found) const {
+        return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
+    }
+};
+
+template<class Pose>
+void label_pose(Function& f, const Pose& pose) {
     f.label("n_dot_v", pose.n_dot_v);
     f.label("x", pose.frame.x, "The lobe's frame: x towards which the mirrored view leans, y, and the normal.");
     f.label("y", pose.frame.y);
@@ -520,13 +531,78 @@ void highlight_ltc(Function& f) {
     f.label("center", pose.points.patch.center);
     f.label("size2", pose.size2, "Of the light after the transform.");
     f.label("distance2", pose.distance2);
+}
+
+// The sums at points in loops, and what their bodies compute.
+void label_sums(Function& f, const core::detail::PointSums<S>& sums, std::string_view prefix, std::string_view note) {
+    const auto label = [&](std::string_view name, S value, std::string_view text = {}) {
+        f.label(std::string(prefix) + std::string(name), value, text);
+    };
+    label("value", sums.value, note);
+    label("grazing", sums.grazing);
+    label("by_cosine", sums.by_cosine);
+}
+template<class Points>
+void label_points(Function& f, const Points& points, Vector v) {
+    points.for_each([&](Vector p, S strength) {
+        f.label("p", p);
+        f.label("strength", strength);
+        const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-18)));
+        f.label("inverse", inverse);
+        f.label("l", p * inverse);
+        const auto h = core::half_vector(p * inverse, v);
+        f.label("l_dot_h", h.l_dot_h);
+    });
+}
+
+// specular_ltc.hpp.
+template<class Light>
+void highlight_ltc(Function& f) {
+    const CosineHighlight<Light> of(f);
+    const auto light = of.light.as_light();
+    const auto any_pose = of.pose();
+    const auto [small, dark] = core::detail::lobe_cases(any_pose, light, of.light.to_center);
+    label_pose(f, any_pose);
+    f.label("small", small);
+    f.label("dark", dark);
+    const Vector none{S(0), S(0), S(0)};
+    f.early(dark, S::of(none.node()), "Nothing of the light is above the horizon, or the surface is not seen.");
+    const auto pose = of.pose();
+    label_points(f, pose.points, pose.v);
+    const auto sums =
+        core::detail::point_sums<core::detail::CosineSum::none>(pose.points, of.lobe, pose.cosine, pose.v);
+    label_sums(f, sums, "points_", "The lobe itself at points of the light, which are enough for a small one.");
+    const auto by_points = core::detail::as_luminance(sums.value, core::detail::grazing_share(sums));
+    f.early(small, S::of(of.luminance(by_points).node()), "Small against the lobe.");
+    const auto region = core::detail::region_of(pose.cosine, pose.points, light, pose.frame, of.light.to_center);
+    const core::detail::RowPoints<S, std::remove_cv_t<decltype(region)>, core::GgxLobe<S>, core::LtcLobe<S>> rows(
+        region, pose.cosine, of.lobe, pose.v);
+    label_points(f, rows, pose.v);
+    label_sums(f, core::detail::point_sums<core::detail::CosineSum::whole>(rows, of.lobe, pose.cosine, pose.v), "rows_",
+               "The lobe itself, and the cosine, along rows of points that the cosine places in the light.");
+    const auto found = core::specular_ltc(light, of.light.to_center, of.light.normal, of.view, of.lobe, of.cosine_of());
+    f.returns(of.luminance(found));
+}
+
+// specular_by_share.hpp.
+template<class Light>
+void highlight_by_share(Function& f) {
+    const CosineHighlight<Light> of(f);
+    // The simple case.
+    const auto pose = of.pose();
+    constexpr double alone = core::detail::ltc_points_alone[0];
+    const auto small = pose.size2 < S(alone * alone) * pose.distance2;
+    const auto dark = pose.is_below();
+    const auto sums =
+        core::detail::point_sums<core::detail::CosineSum::none>(pose.points, of.lobe, pose.cosine, pose.v);
+    label_pose(f, pose);
     f.label("small", small);
     f.label("dark", dark);
     f.label("by_points", sums.value, "The lobe itself at points of the light.");
-    f.early(simd::either(small, dark), S::of(result(by_points.scale, by_points.grazing).node()),
+    f.early(simd::either(small, dark), S::of(of.luminance(core::detail::points_alone(sums, dark)).node()),
             "Small against the lobe, or below the horizon: the points are enough.");
-    const auto found = core::specular_by_share(of, light.to_center, light.normal, view, lobe, cosine_of);
-    f.returns(result(found.scale, found.grazing));
+    f.returns(of.luminance(core::specular_by_share(of.light.as_light(), of.light.to_center, of.light.normal, of.view,
+                                                   of.lobe, of.cosine_of())));
 }
 
 template<class Light, void (*stages)(Function&, const Light&)>
@@ -666,14 +742,14 @@ constexpr Formula highlight_row(std::string_view light, std::string_view materia
                                                : "nearer to the light than a tenth of its size",
             record};
 }
-constexpr Formula ltc_row(std::string_view light, std::string_view function, std::string_view title, ShaderError error,
+constexpr Formula ltc_row(std::string_view light, std::string_view method, std::string_view function,
+                          std::string_view title, std::string_view source, ShaderError error,
                           void (*record)(Function&)) {
-    return {{"shade", light, "ltc", "ggx", {}},
+    return {{"shade", light, method, "ggx", {}},
             function,
             title,
             "luminance of red, green and blue per luminance of the light",
-            "Heitz et al., ACM TOG 35(4), 2016; the lobe keeps its sign, the light is clipped once, and points of the "
-            "light correct it. leaning and reflected: gonio bake --table ltc-ggx",
+            source,
             error,
             "the result + 0.1 * (angle [rad] that the light subtends)",
             light == "disk" || light == "rect"
@@ -716,6 +792,13 @@ constexpr std::string_view khronos = "Khronos, glTF 2.0 Specification, appendix 
 constexpr std::string_view eon_paper = "Portsmouth, Kutz and Hill, EON, JCGT 14(1), 2025";
 constexpr std::string_view remember_me = "Lagarde and Harduin, The Art of Remember Me, 2013";
 constexpr std::string_view heitz = "Heitz, JCGT 3(2), 2014; Schlick 1994";
+
+constexpr std::string_view by_rows =
+    "the lobe summed over rows of points that the transformed cosine of Heitz et al., ACM TOG 35(4), 2016, places, and "
+    "corrected by its exact share. leaning and reflected: gonio bake --table ltc-ggx";
+constexpr std::string_view by_share =
+    "Heitz et al., ACM TOG 35(4), 2016; the lobe keeps its sign, the light is clipped once, and points of the light "
+    "correct it. leaning and reflected: gonio bake --table ltc-ggx";
 
 constexpr std::string_view visible_normals =
     "Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023";
@@ -888,13 +971,22 @@ constexpr std::array all{
                   {9e-6, 2e-5}, shade_area<Tube, tube_stages, blinn>),
     highlight_row("tube", "ggx", "tube_shade_ggx", "A GGX surface under a uniform tube.", {1e-4, 3e-4},
                   shade_area<Tube, tube_stages, ggx>),
-    ltc_row("sphere", "sphere_shade_ggx_ltc", "A GGX surface under a uniform sphere.", {2e-3, 2e-3},
+    ltc_row("sphere", "ltc", "sphere_shade_ggx_ltc", "A GGX surface under a uniform sphere.", by_rows, {2e-3, 2e-3},
             highlight_ltc<Sphere>),
-    ltc_row("disk", "disk_shade_ggx_ltc", "A GGX surface under a uniform one-sided disk.", {3e-2, 3e-1},
+    ltc_row("disk", "ltc", "disk_shade_ggx_ltc", "A GGX surface under a uniform one-sided disk.", by_rows, {3e-2, 3e-1},
             highlight_ltc<Disk>),
-    ltc_row("rect", "rect_shade_ggx_ltc", "A GGX surface under a uniform one-sided rectangle.", {3e-5, 2},
-            highlight_ltc<Rectangle>),
-    ltc_row("tube", "tube_shade_ggx_ltc", "A GGX surface under a uniform tube.", {1e-3, 1e-3}, highlight_ltc<Tube>),
+    ltc_row("rect", "ltc", "rect_shade_ggx_ltc", "A GGX surface under a uniform one-sided rectangle.", by_rows,
+            {3e-5, 2}, highlight_ltc<Rectangle>),
+    ltc_row("tube", "ltc", "tube_shade_ggx_ltc", "A GGX surface under a uniform tube.", by_rows, {1e-3, 1e-3},
+            highlight_ltc<Tube>),
+    ltc_row("sphere", "ltc-share", "sphere_shade_ggx_ltc_share", "A GGX surface under a uniform sphere.", by_share,
+            {2e-3, 2e-3}, highlight_by_share<Sphere>),
+    ltc_row("disk", "ltc-share", "disk_shade_ggx_ltc_share", "A GGX surface under a uniform one-sided disk.", by_share,
+            {3e-2, 3e-1}, highlight_by_share<Disk>),
+    ltc_row("rect", "ltc-share", "rect_shade_ggx_ltc_share", "A GGX surface under a uniform one-sided rectangle.",
+            by_share, {3e-5, 2}, highlight_by_share<Rectangle>),
+    ltc_row("tube", "ltc-share", "tube_shade_ggx_ltc_share", "A GGX surface under a uniform tube.", by_share,
+            {1e-3, 1e-3}, highlight_by_share<Tube>),
     visibility_row("sphere", "sky_visibility_sphere", "What a sphere leaves of a uniform sky, exact.",
                    "1 - E/(pi L) of a sphere that emits L", {8e-7, 6e-6}, visibility<Sphere, sphere_stages>),
     visibility_row("capsule", "sky_visibility_capsule",

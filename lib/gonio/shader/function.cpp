@@ -57,6 +57,7 @@ void Function::label(std::string_view as, RecordedMask value, std::string_view n
 
 void Function::early(RecordedMask condition, Recorded value, std::string_view comment) {
     stages.push_back({condition.node, value.node, comment});
+    graph.assume(condition.node, false);
 }
 void Function::returns(Recorded value) {
     result = Type::scalar;

@@ -47,6 +47,7 @@ struct Function {
     void label(std::string_view as, Vector value, std::string_view note = {});
     void label(std::string_view as, RecordedMask value, std::string_view note = {});
 
+    // What is recorded after it may rely on the condition not holding.
     void early(RecordedMask condition, Recorded value, std::string_view comment);
     void returns(Recorded value);
     void returns(Vector value);

@@ -1,6 +1,7 @@
 #include <gonio/shader/arithmetic.hpp>
 #include <gonio/shader/graph.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,7 @@ constexpr std::array infos{
     OperationInfo{Operation::constant, Form::leaf, 0, ""},
     OperationInfo{Operation::truth, Form::leaf, 0, ""},
     OperationInfo{Operation::parameter, Form::leaf, 0, ""},
+    OperationInfo{Operation::element, Form::leaf, 0, ""},
     OperationInfo{Operation::component, Form::other, 1, ""},
     OperationInfo{Operation::pack, Form::other, 3, ""},
     OperationInfo{Operation::add, Form::infix, 2, "+"},
@@ -38,6 +40,7 @@ constexpr std::array infos{
     OperationInfo{Operation::either, Form::infix, 2, "||"},
     OperationInfo{Operation::invert, Form::other, 1, "!"},
     OperationInfo{Operation::select, Form::other, 3, ""},
+    OperationInfo{Operation::sum, Form::other, 1, ""},
     OperationInfo{Operation::call, Form::other, 0, ""},
 };
 
@@ -82,8 +85,68 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
 
 NodeId Graph::add(const Node& node) {
     const auto [at, is_new] = known_.try_emplace(node, static_cast<NodeId>(nodes_.size()));
-    if (is_new) nodes_.push_back(node);
-    return at->second;
+    const NodeId id = at->second;
+    if (is_new) {
+        nodes_.push_back(node);
+        LoopSet around = 0;
+        for (std::size_t k = 0; k < node.argument_count(); ++k)
+            around |= around_[node.arguments[k]];
+        if (node.operation == Operation::element) around |= LoopSet{1} << node.index;
+        if (node.operation == Operation::sum) around &= ~(LoopSet{1} << node.index);
+        around_.push_back(around);
+    }
+    return node.type == Type::mask && !assumed_.empty() ? known_truth(id) : id;
+}
+
+NodeId Graph::known_truth(NodeId mask) {
+    const auto found = assumed_.find(mask);
+    return found == assumed_.end() ? mask : truth(found->second);
+}
+
+void Graph::assume(NodeId mask, bool value) {
+    const Node node = nodes_[mask];
+    if (node.operation == Operation::truth) return;
+    if (node.operation == Operation::invert) {
+        assume(node.arguments[0], !value);
+        return;
+    }
+    assumed_.try_emplace(mask, value);
+    if (node.operation == (value ? Operation::both : Operation::either)) {
+        assume(node.arguments[0], value);
+        assume(node.arguments[1], value);
+    }
+}
+
+std::uint8_t Graph::begin_loop(std::vector<Column> columns) {
+    Loop loop{std::move(columns), 0};
+    for (const std::uint8_t each : begun_)
+        if (loops_[each].columns == loop.columns) ++loop.depth;
+    auto at = std::find(loops_.begin(), loops_.end(), loop);
+    if (at == loops_.end()) at = loops_.insert(at, std::move(loop));
+    begun_.push_back(static_cast<std::uint8_t>(at - loops_.begin()));
+    return begun_.back();
+}
+
+void Graph::end_loop() {
+    begun_.pop_back();
+}
+
+NodeId Graph::element(std::uint8_t loop, std::size_t column) {
+    const std::vector<double>& numbers = loops_[loop].columns[column].numbers;
+    if (std::all_of(numbers.begin(), numbers.end(), [&](double each) { return each == numbers.front(); }))
+        return constant(numbers.front());
+    return add({Operation::element, Type::scalar, loop, {no_node, no_node, no_node}, static_cast<double>(column)});
+}
+
+NodeId Graph::sum(NodeId term) {
+    NodeId total = term;
+    for (std::size_t k = begun_.size(); k-- > 0;) {
+        const std::uint8_t loop = begun_[k];
+        const bool changes = ((around_[total] >> loop) & 1U) != 0;
+        total = changes ? add({Operation::sum, nodes_[total].type, loop, {total, no_node, no_node}, 0.0})
+                        : binary(Operation::multiply, constant(static_cast<double>(loops_[loop].rows())), total);
+    }
+    return total;
 }
 
 Type Graph::joined(NodeId a, NodeId b) const {
@@ -213,7 +276,9 @@ NodeId Graph::limit_simplified(Operation operation, NodeId a, NodeId b) {
     return no_node;
 }
 
-NodeId Graph::logical(Operation operation, NodeId a, NodeId b) {
+NodeId Graph::logical(Operation operation, NodeId first, NodeId second) {
+    const NodeId a = known_truth(first);
+    const NodeId b = known_truth(second);
     const bool ends = operation == Operation::either; // the value that decides alone
     if (is_truth(a, ends) || is_truth(b, ends)) return truth(ends);
     if (is_truth(a, !ends) || a == b) return b;
@@ -286,7 +351,8 @@ NodeId Graph::binary(Operation operation, NodeId a, NodeId b) {
     return add({operation, operation == Operation::cross ? Type::vector : joined(a, b), 0, {a, b, no_node}, 0.0});
 }
 
-NodeId Graph::select(NodeId condition, NodeId if_true, NodeId if_false) {
+NodeId Graph::select(NodeId mask, NodeId if_true, NodeId if_false) {
+    const NodeId condition = known_truth(mask);
     if (if_true == if_false || is_truth(condition, true)) return if_true;
     if (is_truth(condition, false)) return if_false;
     if (nodes_[condition].operation == Operation::invert)
@@ -297,6 +363,7 @@ NodeId Graph::select(NodeId condition, NodeId if_true, NodeId if_false) {
 
 NodeId Graph::component(NodeId vector, std::uint8_t index) {
     if (nodes_[vector].operation == Operation::pack) return nodes_[vector].arguments[index];
+    if (is_negated(vector)) return unary(Operation::negate, component(nodes_[vector].arguments[0], index));
     return add({Operation::component, Type::scalar, index, {vector, no_node, no_node}, 0.0});
 }
 

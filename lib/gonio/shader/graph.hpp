@@ -3,6 +3,9 @@
 // A node's arguments come before it, so the order of the nodes is an order of evaluation. Equal expressions are one
 // node, constants are folded, and identities are simplified only where the result stays the same for finite numbers; of
 // a zero the sign may change, which no formula reads. Nothing fails.
+//
+// A loop runs over the rows of a table of constants. What depends on its row is computed in the loop, and leaves it as
+// a sum over all rows. Loops over the same table at the same depth are the same, so that sums of them can share one.
 #pragma once
 
 #include <array>
@@ -22,6 +25,7 @@ enum class Operation : std::uint8_t {
     constant,  // of the node's number
     truth,     // a constant mask: number is 0 or 1
     parameter, // of the node's index
+    element,   // a number of the row of the loop that is the node's index: number is the column
     component, // of a vector, at the node's index
     pack,      // a vector of three scalars
     add,
@@ -48,6 +52,7 @@ enum class Operation : std::uint8_t {
     either,
     invert, // of a mask
     select, // mask, if true, if false
+    sum,    // of its argument over the rows of the loop that is the node's index
     call    // the helper of the node's index
 };
 
@@ -80,6 +85,25 @@ struct Node {
 // The largest number of arguments of a helper.
 inline constexpr std::size_t most_arguments = 3;
 
+// A set of loops, by bits.
+using LoopSet = std::uint32_t;
+
+// A column of a table.
+struct Column {
+    std::string_view name;
+    std::vector<double> numbers;
+    bool operator==(const Column&) const = default;
+};
+
+// A loop over the rows of a table.
+struct Loop {
+    std::vector<Column> columns;
+    unsigned depth; // how many loops over the same table are around it
+
+    std::size_t rows() const { return columns.front().numbers.size(); }
+    bool operator==(const Loop&) const = default;
+};
+
 class Graph {
 public:
     const std::vector<Node>& nodes() const { return nodes_; }
@@ -98,6 +122,19 @@ public:
     NodeId pack(NodeId x, NodeId y, NodeId z);
     NodeId call(std::uint8_t helper, Type result, const std::array<NodeId, most_arguments>& arguments);
 
+    // Until its end, elements of the loop can be read, and sums are over its rows too.
+    std::uint8_t begin_loop(std::vector<Column> columns);
+    void end_loop();
+    NodeId element(std::uint8_t loop, std::size_t column);
+    // Over the rows of all loops that have begun.
+    NodeId sum(NodeId term);
+    const std::vector<Loop>& loops() const { return loops_; }
+    // The loops in which a node has to be computed.
+    LoopSet loops_around(NodeId id) const { return around_[id]; }
+
+    // From here on, a mask is known: what is recorded with it is simplified.
+    void assume(NodeId mask, bool value);
+
     bool is_constant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
     bool is_constant(NodeId id, double number) const { return is_constant(id) && nodes_[id].number == number; }
     bool is_at_least(NodeId id, double number) const { return is_constant(id) && nodes_[id].number >= number; }
@@ -107,6 +144,7 @@ public:
 
 private:
     NodeId add(const Node& node);
+    NodeId known_truth(NodeId mask); // a constant if the mask is assumed
     NodeId add_simplified(NodeId a, NodeId b);
     NodeId subtract_simplified(NodeId a, NodeId b);
     NodeId multiply_simplified(NodeId a, NodeId b);
@@ -125,7 +163,11 @@ private:
         std::size_t operator()(const Node& node) const;
     };
     std::vector<Node> nodes_;
+    std::vector<LoopSet> around_;                  // of each node
     std::unordered_map<Node, NodeId, Hash> known_; // looked up only, never walked
+    std::unordered_map<NodeId, bool> assumed_;     // looked up only
+    std::vector<Loop> loops_;
+    std::vector<std::uint8_t> begun_; // the outermost first
 };
 
 } // namespace gonio::shader

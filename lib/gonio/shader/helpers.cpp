@@ -75,7 +75,7 @@ constexpr std::array bodies{
 constexpr bool are_in_order() {
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (bodies[i].info.helper != static_cast<Helper>(i)) return false;
-    return bodies.size() == static_cast<std::size_t>(Helper::horizon_arc) + 1;
+    return bodies.size() == helper_count;
 }
 static_assert(are_in_order());
 

@@ -1,6 +1,7 @@
 #include <gonio/base/version.hpp>
 #include <gonio/shader/helpers.hpp>
 #include <gonio/shader/print.hpp>
+#include <gonio/shader/schedule.hpp>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace gonio::shader {
@@ -21,6 +24,7 @@ struct Words {
     std::array<std::string_view, 3> types; // by Type
     std::string_view after_number;
     std::string_view before_function;
+    std::string_view before_table;
     std::string_view prelude;
 };
 
@@ -29,15 +33,22 @@ constexpr std::array all_words{
           {"float", "vec3", "bool"},
           "",
           "",
+          "const",
           "// GLSL ES 3.00, for a shader that begins with #version 300 es.\n\nprecision highp float;\n"},
-    Words{ShaderLanguage::glsl450, {"float", "vec3", "bool"}, "", "", "// GLSL 4.50.\n"},
-    Words{ShaderLanguage::hlsl, {"float", "float3", "bool"}, "f", "", "// HLSL, shader model 5 and later.\n"},
+    Words{ShaderLanguage::glsl450, {"float", "vec3", "bool"}, "", "", "const", "// GLSL 4.50.\n"},
+    Words{ShaderLanguage::hlsl,
+          {"float", "float3", "bool"},
+          "f",
+          "",
+          "static const",
+          "// HLSL, shader model 5 and later.\n"},
     Words{ShaderLanguage::msl,
           {"float", "float3", "bool"},
           "f",
           "inline ",
+          "constant",
           "// Metal Shading Language.\n\n#include <metal_stdlib>\nusing namespace metal;\n"},
-    Words{ShaderLanguage::wgsl, {"f32", "vec3<f32>", "bool"}, "", "", "// WGSL.\n"},
+    Words{ShaderLanguage::wgsl, {"f32", "vec3<f32>", "bool"}, "", "", "const", "// WGSL.\n"},
 };
 
 constexpr std::size_t widest = 100;      // columns
@@ -92,21 +103,82 @@ std::string comment(std::string_view text, std::string_view first = "// ", std::
     return lines + line + "\n";
 }
 
+std::string number_text(double value, const Words& words) {
+    std::string text = fmt::format("{}", static_cast<float>(value)); // as few digits as read back as it
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    const std::size_t exponent = text.find("e-0"); // 1e-04 is 1e-4
+    if (exponent != std::string::npos) text.erase(exponent + 2, 1);
+    return text + std::string(words.after_number);
+}
+
+// The tables that loops read, in the order in which functions ask for them: equal ones once.
+class Tables {
+public:
+    const std::string& name_of(const Column& column) {
+        const auto known =
+            std::find_if(all_.begin(), all_.end(), [&](const Table& each) { return each.numbers == column.numbers; });
+        if (known != all_.end()) return known->name;
+        const std::string stem = fmt::format("{}_{}", column.name, column.numbers.size());
+        std::string name = stem;
+        for (char letter = 'b';
+             std::any_of(all_.begin(), all_.end(), [&](const Table& each) { return each.name == name; }); ++letter)
+            name = stem + letter;
+        return all_.emplace_back(std::move(name), column.numbers).name;
+    }
+    std::string print(const Words& words) const {
+        std::string text;
+        const std::string_view type = words.types[static_cast<std::size_t>(Type::scalar)];
+        for (const Table& table : all_) {
+            const std::size_t size = table.numbers.size();
+            std::string numbers;
+            for (const double each : table.numbers)
+                numbers += (numbers.empty() ? "" : ", ") + number_text(each, words);
+            switch (words.language) {
+            case ShaderLanguage::wgsl:
+                text += fmt::format("const {} = array<f32, {}>({});\n", table.name, size, numbers);
+                break;
+            case ShaderLanguage::glsl_es300:
+            case ShaderLanguage::glsl450:
+                text += fmt::format("const {0} {1}[{2}] = {0}[{2}]({3});\n", type, table.name, size, numbers);
+                break;
+            case ShaderLanguage::hlsl:
+            case ShaderLanguage::msl:
+                text += fmt::format("{} {} {}[{}] = {{{}}};\n", words.before_table, type, table.name, size, numbers);
+                break;
+            }
+        }
+        return text;
+    }
+
+private:
+    struct Table {
+        std::string name;
+        std::vector<double> numbers;
+    };
+    std::vector<Table> all_;
+};
+
 class FunctionPrinter {
 public:
-    FunctionPrinter(const Function& function, const Words& words)
+    FunctionPrinter(const Function& function, const Words& words, Tables& tables)
         : function_(function),
           words_(words),
+          tables_(tables),
           order_(printing_order(function)),
           uses_(function.graph.nodes().size(), 0),
           texts_(uses_.size()),
-          is_done_(uses_.size(), false) {
+          is_done_(uses_.size(), false),
+          enters_loop_(uses_.size(), false) {
         for (const Parameter& parameter : function.parameters)
             taken_.insert(std::string(parameter.name));
         for (const NodeId id : order_) {
             const Node& node = function.graph[id];
-            for (std::size_t k = 0; k < node.argument_count(); ++k)
-                ++uses_[node.arguments[k]];
+            for (std::size_t k = 0; k < node.argument_count(); ++k) {
+                const NodeId argument = node.arguments[k];
+                ++uses_[argument];
+                if ((function.graph.loops_around(id) & ~function.graph.loops_around(argument)) != 0)
+                    enters_loop_[argument] = true;
+            }
         }
         for (const Stage& stage : function.stages) {
             if (stage.condition != no_node) ++uses_[stage.condition];
@@ -151,23 +223,9 @@ private:
         return lines + line;
     }
 
-    // The nodes that any of `roots` needs.
-    std::vector<bool> needed_by(const std::vector<NodeId>& roots) const {
-        std::vector<bool> needed(uses_.size(), false);
-        for (const NodeId root : roots)
-            if (root != no_node) needed[root] = true;
-        for (std::size_t id = needed.size(); id-- > 0;) {
-            if (!needed[id]) continue;
-            const Node& node = function_.graph.nodes()[id];
-            for (std::size_t k = 0; k < node.argument_count(); ++k)
-                needed[node.arguments[k]] = true;
-        }
-        return needed;
-    }
-
     void print_stage(std::size_t place) {
         const Stage& stage = function_.stages[place];
-        const std::vector<bool> of_value = needed_by({stage.value});
+        const std::vector<bool> of_value = needed_by(function_.graph, {stage.value});
         if (stage.condition == no_node) {
             indent_ = "    ";
             print_nodes(of_value);
@@ -180,8 +238,8 @@ private:
             roots.push_back(function_.stages[i].value);
         }
         // What the value and later stages need is computed before the condition.
-        std::vector<bool> before = needed_by(roots);
-        const std::vector<bool> of_condition = needed_by({stage.condition});
+        std::vector<bool> before = needed_by(function_.graph, roots);
+        const std::vector<bool> of_condition = needed_by(function_.graph, {stage.condition});
         for (std::size_t id = 0; id < before.size(); ++id)
             before[id] = (before[id] && of_value[id]) || of_condition[id];
         indent_ = "    ";
@@ -201,13 +259,54 @@ private:
         return fmt::format("{}return {};\n", indent_, spreads ? vector_of(text.text) : text.text);
     }
 
-    void print_nodes(const std::vector<bool>& which) {
-        for (const NodeId id : order_) {
-            if (!which[id] || is_done_[id]) continue;
-            is_done_[id] = true;
-            texts_[id] = shortened(id);
-            if (needs_variable(id)) declare(id);
+    void print_nodes(const std::vector<bool>& which) { print_steps(schedule(function_, order_, which, is_done_)); }
+    void print_steps(const std::vector<Step>& steps) {
+        for (const Step& step : steps) {
+            if (step.node == no_node) {
+                print_loop(step);
+                continue;
+            }
+            texts_[step.node] = shortened(step.node);
+            if (needs_variable(step.node)) declare(step.node);
         }
+    }
+
+    void print_loop(const Step& step) {
+        const std::string index(1, "ijkl"[open_loops_.size()]);
+        for (const NodeId sum : step.sums) {
+            const auto outer = total_of_.find(sum);
+            if (outer != total_of_.end()) {
+                texts_[sum] = texts_[outer->second];
+                continue;
+            }
+            const Type of = function_.graph[sum].type;
+            texts_[sum] = {new_name(sum), primary};
+            const std::string zero = of == Type::vector ? vector_of(number(0.0)) : number(0.0);
+            out_ += fmt::format("{}{} {} = {};\n", indent_, is_wgsl() ? "var" : type(of), texts_[sum].text, zero);
+        }
+        out_ += is_wgsl() ? fmt::format("{}for (var {} = 0; ", indent_, index)
+                          : fmt::format("{}for (int {} = 0; ", indent_, index);
+        out_ += fmt::format("{0} < {1}; {2}) {{\n", index, function_.graph.loops()[step.loop].rows(),
+                            is_wgsl() ? index + "++" : "++" + index);
+        open_loops_.emplace_back(step.loop, index);
+        indent_ += "    ";
+        for (const NodeId sum : step.sums) {
+            const NodeId term = function_.graph[sum].arguments[0];
+            if (is_added_directly(term)) total_of_.insert_or_assign(term, sum);
+        }
+        print_steps(step.body);
+        for (const NodeId sum : step.sums) {
+            const NodeId term = function_.graph[sum].arguments[0];
+            if (!is_added_directly(term))
+                out_ += fmt::format("{}{} += {};\n", indent_, texts_[sum].text, texts_[term].text);
+        }
+        indent_.erase(indent_.size() - 4);
+        open_loops_.pop_back();
+        out_ += indent_ + "}\n";
+    }
+    // Whether an inner loop's sum is only a part of an outer one's, which it adds its terms to.
+    bool is_added_directly(NodeId term) const {
+        return function_.graph[term].operation == Operation::sum && uses_[term] == 1 && !function_.names.contains(term);
     }
 
     bool needs_variable(NodeId id) const {
@@ -218,7 +317,7 @@ private:
         if (node.operation == Operation::negate || node.operation == Operation::invert)
             if (is_word(texts_[node.arguments[0]].text)) return false;
         if (node.operation == Operation::pack && is_constant_pack(node)) return false;
-        return uses_[id] > 1;
+        return uses_[id] > 1 || enters_loop_[id];
     }
     bool is_constant_pack(const Node& node) const {
         return std::all_of(node.arguments.begin(), node.arguments.end(),
@@ -276,13 +375,7 @@ private:
         }
     }
 
-    std::string number(double value) const {
-        std::string text = fmt::format("{}", static_cast<float>(value)); // as few digits as read back as it
-        if (text.find_first_of(".e") == std::string::npos) text += ".0";
-        const std::size_t exponent = text.find("e-0"); // 1e-04 is 1e-4
-        if (exponent != std::string::npos) text.erase(exponent + 2, 1);
-        return text + std::string(words_.after_number);
-    }
+    std::string number(double value) const { return number_text(value, words_); }
     std::string vector_of(const std::string& scalar) const {
         if (words_.language == ShaderLanguage::hlsl) // has no constructor of one number
             return is_word(scalar) ? "(float3)" + scalar : "(float3)(" + scalar + ")";
@@ -364,6 +457,12 @@ private:
             return {node.number != 0.0 ? "true" : "false", primary};
         case Operation::parameter:
             return {std::string(function_.parameters[node.index].name), primary};
+        case Operation::element: {
+            const Column& column = function_.graph.loops()[node.index].columns[static_cast<std::size_t>(node.number)];
+            const auto open = std::find_if(open_loops_.begin(), open_loops_.end(),
+                                           [&](const auto& each) { return each.first == node.index; });
+            return {fmt::format("{}[{}]", tables_.name_of(column), open->second), primary};
+        }
         case Operation::component:
             return {fmt::format("{}.{}", bound(node.arguments[0], primary), "xyz"[node.index]), primary};
         case Operation::pack: {
@@ -397,10 +496,14 @@ private:
 
     const Function& function_;
     const Words& words_;
+    Tables& tables_;
     std::vector<NodeId> order_;
     std::vector<unsigned> uses_;
     std::vector<Text> texts_;
     std::vector<bool> is_done_;
+    std::vector<bool> enters_loop_;                                // computed before a loop that needs it
+    std::vector<std::pair<std::uint8_t, std::string>> open_loops_; // with their indices
+    std::unordered_map<NodeId, NodeId> total_of_;                  // of an inner loop's sum: the outer one
     std::set<std::string, std::less<>> taken_;
     std::string out_, indent_;
 };
@@ -444,13 +547,18 @@ std::string printed(std::span<const Formula* const> formulas, ShaderLanguage lan
     }
     std::string text = fmt::format("// Printed by gonio {}. Lengths from 1e-4 to 1e5 m; inputs are finite.\n{}",
                                    version, words.prelude);
+    Tables tables;
+    std::string bodies;
     for (const Helper helper : helpers_of(functions)) {
         const Function& function = function_of(helper);
-        text += "\n" + comment(fmt::format("{}.", info(helper).comment)) + FunctionPrinter(function, words).print();
+        bodies +=
+            "\n" + comment(fmt::format("{}.", info(helper).comment)) + FunctionPrinter(function, words, tables).print();
     }
     for (std::size_t i = 0; i < functions.size(); ++i)
-        text += "\n" + description(*formulas[i], functions[i]) + FunctionPrinter(functions[i], words).print();
-    return text;
+        bodies += "\n" + description(*formulas[i], functions[i]) + FunctionPrinter(functions[i], words, tables).print();
+    const std::string constants = tables.print(words);
+    if (!constants.empty()) text += "\n// Rules of points, for loops.\n" + constants;
+    return text + bodies;
 }
 
 } // namespace gonio::shader

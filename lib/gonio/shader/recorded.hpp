@@ -6,9 +6,72 @@
 #include <gonio/shader/recorded_scalar.hpp>
 // After the vocabulary above.
 #include <gonio/shading/vec3.hpp>
+#include <gonio/simd/loop.hpp>
 #include <gonio/simd/math.hpp>
 
+#include <array>
 #include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gonio::shading::detail {
+template<class>
+struct RulePointOf;
+template<class>
+struct AnglePairOf;
+} // namespace gonio::shading::detail
+
+namespace gonio::shader {
+
+// The names of the numbers of a table's elements, in their order.
+template<template<class> class Element>
+inline constexpr std::array<std::string_view, 0> column_names{};
+template<>
+inline constexpr std::array<std::string_view, 3> column_names<shading::detail::RulePointOf>{"x", "y", "weight"};
+template<>
+inline constexpr std::array<std::string_view, 13> column_names<shading::detail::AnglePairOf>{
+    "weight",  "sine0",   "sine1",   "sine2",   "sine3",   "sine4",  "sine5",
+    "cosine0", "cosine1", "cosine2", "cosine3", "cosine4", "cosine5"};
+
+} // namespace gonio::shader
+
+namespace gonio::simd {
+
+template<>
+inline constexpr bool is_recorded<shader::Recorded> = true;
+
+// `work` runs once, on an element whose numbers are those of any row.
+template<class S, template<class> class Element, std::size_t count, class Work>
+requires is_recorded<S>
+void for_each_of(const Element<float> (&table)[count], const Work& work) {
+    constexpr auto& names = shader::column_names<Element>;
+    constexpr std::size_t width = sizeof(Element<float>) / sizeof(float);
+    static_assert(names.size() == width && sizeof(Element<S>) == width * sizeof(S));
+    std::vector<shader::Column> columns;
+    for (const std::string_view name : names)
+        columns.push_back({name, {}});
+    for (const Element<float>& row : table) {
+        const auto numbers = __builtin_bit_cast(std::array<float, width>, row);
+        for (std::size_t i = 0; i < width; ++i)
+            columns[i].numbers.push_back(static_cast<double>(numbers[i]));
+    }
+    shader::Graph& graph = shader::Recording::graph();
+    const std::uint8_t loop = graph.begin_loop(std::move(columns));
+    std::array<S, width> of_row;
+    for (std::size_t i = 0; i < width; ++i)
+        of_row[i] = S::of(graph.element(loop, i));
+    work(__builtin_bit_cast(Element<S>, of_row));
+    graph.end_loop();
+}
+inline void accumulate(shader::Recorded& total, shader::Recorded term) {
+    total = total + shader::Recorded::of(shader::Recording::graph().sum(term.node));
+}
+inline void accumulate_product(shader::Recorded& total, shader::Recorded a, shader::Recorded b) {
+    accumulate(total, a * b);
+}
+
+} // namespace gonio::simd
 
 namespace gonio::shading {
 

@@ -30,6 +30,7 @@ enum class Helper : std::uint8_t {
     window_squared,
     horizon_arc
 };
+inline constexpr std::size_t helper_count = static_cast<std::size_t>(Helper::horizon_arc) + 1;
 
 // While it lives, this thread records into `graph`.
 class Recording {

@@ -11,6 +11,7 @@
 #include <gonio/shading/ltc_lobe.hpp>
 #include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/vec3.hpp>
+#include <gonio/simd/loop.hpp>
 
 #include <cstddef>
 #include <iterator>
@@ -18,9 +19,11 @@
 namespace gonio::shading::detail {
 
 // Rules are members of templates on the scalar: nothing here may be shared between instruction sets.
-struct RulePoint {
-    float x, y, weight;
+template<class Number>
+struct RulePointOf {
+    Number x, y, weight;
 };
+using RulePoint = RulePointOf<float>;
 
 // The plane patch center + u·x + v·y; the receiver sees each point under the solid angle dω = strength·weight/|p|³.
 template<class S>
@@ -30,8 +33,10 @@ struct LightPatch {
 
     template<class Work, std::size_t count>
     GONIO_FORCE_INLINE void for_each(const RulePoint (&rule)[count], const Work& work) const {
-        for (const RulePoint& at : rule)
-            work(center + u * S(at.x) + v * S(at.y), strength * S(at.weight));
+        simd::for_each_of<S>(
+            rule, [&](const auto& at) __attribute__((always_inline)) {
+                work(center + u * S(at.x) + v * S(at.y), strength * S(at.weight));
+            });
     }
 };
 

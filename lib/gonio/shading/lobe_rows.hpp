@@ -17,7 +17,7 @@
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_share.hpp>
 #include <gonio/shading/vec2.hpp>
-#include <gonio/simd/math.hpp>
+#include <gonio/simd/loop.hpp>
 
 #include <cstddef>
 #include <iterator>
@@ -27,10 +27,12 @@ namespace gonio::shading::detail {
 
 // A pair ±at of points of a Gauss–Legendre rule on [-1, 1], and the sine and the cosine of at·β by t = tan(β/2):
 // t·sine(t²) and cosine(t²) are within 3e-4 for β up to π/2.
-struct AnglePair {
-    float weight;
-    float sine[6], cosine[6];
+template<class Number>
+struct AnglePairOf {
+    Number weight;
+    Number sine[6], cosine[6];
 };
+using AnglePair = AnglePairOf<float>;
 // Members of a template on the scalar: nothing here may be shared between instruction sets.
 template<class S>
 struct LobeRule {
@@ -62,9 +64,46 @@ struct LobeRule {
          {1.0F, -1.6418989F, 1.5227539F, -1.2967378F, 0.78494947F, -0.22244184F}}};
 };
 
+// The points of a rule by their angles, from the least to the greatest.
+template<std::size_t count>
+struct AngleRule {
+    AnglePair at[count];
+};
+// Of an odd number, the one in the middle with this weight.
+template<std::size_t pairs>
+constexpr AngleRule<2 * pairs> in_order(const AnglePair (&rule)[pairs]) {
+    AngleRule<2 * pairs> all{};
+    for (std::size_t i = 0; i < pairs; ++i) {
+        all.at[pairs + i] = rule[i];
+        all.at[pairs - 1 - i] = rule[i];
+        for (float& c : all.at[pairs - 1 - i].sine)
+            c = -c;
+    }
+    return all;
+}
+template<std::size_t pairs>
+constexpr AngleRule<2 * pairs + 1> in_order(const AnglePair (&rule)[pairs], float middle) {
+    const AngleRule<2 * pairs> even = in_order(rule);
+    AngleRule<2 * pairs + 1> all{};
+    for (std::size_t i = 0; i < pairs; ++i) {
+        all.at[i] = even.at[i];
+        all.at[pairs + 1 + i] = even.at[pairs + i];
+    }
+    all.at[pairs] = {middle, {}, {1.0F}};
+    return all;
+}
+
 template<class S>
 GONIO_FORCE_INLINE S polynomial(S x, const float (&c)[6]) {
     return simd::detail::polynomial(x, c[0], c[1], c[2], c[3], c[4], c[5]);
+}
+// The coefficients of an element of a table whose loop is recorded.
+template<class S>
+requires simd::is_recorded<S> S polynomial(S x, const S (&c)[6]) {
+    S value = c[5];
+    for (std::size_t i = 5; i-- > 0;)
+        value = simd::mul_add(value, x, c[i]);
+    return value;
 }
 
 // The directions between two in a plane, at most half a turn apart.
@@ -96,6 +135,15 @@ struct Fan {
         const S cosine = polynomial(t2, pair.cosine);
         work(middle * cosine - beside * sine, half * S(pair.weight));
         work(middle * cosine + beside * sine, half * S(pair.weight));
+    }
+    // The same for all points of a rule in one loop.
+    template<std::size_t count, class Work>
+    GONIO_FORCE_INLINE void for_each(const AngleRule<count>& rule, const Work& work) const {
+        simd::for_each_of<S>(rule.at, [&](const auto& point) {
+            const S sine = t * polynomial(t2, point.sine);
+            const S cosine = polynomial(t2, point.cosine);
+            work(middle * cosine + beside * sine, half * S(point.weight));
+        });
     }
     // Both points of each pair, with their shares of the whole angle.
     template<std::size_t pairs>
@@ -543,12 +591,17 @@ public:
     // work(p, strength) for each point; the receiver sees it under the solid angle strength/|p|³.
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
-        // One loop over each, so that its body is compiled once.
-        vec2<S> turned[rows];
-        S turn[rows];
-        Fan<S>(first_, last_).divide(rule, &turned[0], &turn[0]);
-        for (std::size_t k = 0; k < rows; ++k)
-            for_each_of_row(turned[k], turn[k], work);
+        const Fan<S> around(first_, last_);
+        if constexpr (simd::is_recorded<S>) {
+            around.for_each(in_order(rule), [&](vec2<S> turned, S turn) { for_each_of_row(turned, turn, work); });
+        } else {
+            // One loop over each, so that its body is compiled once.
+            vec2<S> turned[rows];
+            S turn[rows];
+            around.divide(rule, &turned[0], &turn[0]);
+            for (std::size_t k = 0; k < rows; ++k)
+                for_each_of_row(turned[k], turn[k], work);
+        }
     }
 
 private:
@@ -604,13 +657,20 @@ private:
         const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
         const vec3<S> by_y = toward_axis_ * width;
 
-        vec2<S> at[points_of_row];
-        S angle[points_of_row];
-        at[0] = along.middle;
-        angle[0] = along.half * S(LobeRule<S>::middle);
-        along.divide(LobeRule<S>::five, &at[1], &angle[1]);
-        for (std::size_t k = 0; k < points_of_row; ++k)
-            work(mul_add(by_x, at[k].x, by_y * at[k].y), angle[k] * at[k].x * strength);
+        const auto place = [&](vec2<S> at, S angle) __attribute__((always_inline)) {
+            work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength);
+        };
+        if constexpr (simd::is_recorded<S>) {
+            along.for_each(in_order(LobeRule<S>::five, LobeRule<S>::middle), place);
+        } else {
+            vec2<S> at[points_of_row];
+            S angle[points_of_row];
+            at[0] = along.middle;
+            angle[0] = along.half * S(LobeRule<S>::middle);
+            along.divide(LobeRule<S>::five, &at[1], &angle[1]);
+            for (std::size_t k = 0; k < points_of_row; ++k)
+                place(at[k], angle[k]);
+        }
     }
 
     const Region& region_;

@@ -12,6 +12,7 @@
 #include <gonio/shading/ltc_tube.hpp>
 #include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_method.hpp>
+#include <gonio/simd/loop.hpp>
 
 #include <type_traits>
 
@@ -71,13 +72,13 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
         const S n_dot_l = simd::select(lit, l.z, S(1));
         const HalfVector<S> h = half_vector(l, v);
         const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
-        sums.value = sums.value + value;
-        sums.grazing = simd::mul_add(value, schlick_weight(h.l_dot_h), sums.grazing);
+        simd::accumulate(sums.value, value);
+        simd::accumulate_product(sums.grazing, value, schlick_weight(h.l_dot_h));
         if constexpr (which != CosineSum::none) {
             const vec3<S> q = cosine(l);
             const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
             const S n_dot_q = which == CosineSum::positive ? simd::max(q.z, S(0)) : q.z;
-            sums.by_cosine = simd::mul_add(n_dot_q * inverse_q * inverse_q, solid_angle, sums.by_cosine);
+            simd::accumulate_product(sums.by_cosine, n_dot_q * inverse_q * inverse_q, solid_angle);
         }
     });
     return sums;
@@ -93,15 +94,16 @@ template<CosineSum which, class S, class Points, class Lobe, bool sheared>
 GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
                                           vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
-    GatheredPoints<S, which == CosineSum::whole ? most_row_points : most_light_points>
-        gathered; // of rows, or of a light
-    gathered.gather(points);
-    PointSums<S> sums;
-    sum_gathered<which>(gathered, lobe, cosine, v, sums);
-    return sums;
-#else
-    return point_sums<which>(points, lobe, cosine, v);
+    if constexpr (!simd::is_recorded<S>) {
+        GatheredPoints<S, which == CosineSum::whole ? most_row_points : most_light_points>
+            gathered; // of rows, or of a light
+        gathered.gather(points);
+        PointSums<S> sums;
+        sum_gathered<which>(gathered, lobe, cosine, v, sums);
+        return sums;
+    }
 #endif
+    return point_sums<which>(points, lobe, cosine, v);
 }
 
 // What a receiver sees of a light, in the frame of its lobe.
@@ -210,6 +212,32 @@ GONIO_FORCE_INLINE S center_height(const TubePoints<S>& /*points*/, const TubeLi
     return TubeSeen<S>(light, frame, to_center).center().z;
 }
 
+// Where the light's own points are enough, and where nothing is reflected.
+template<class S>
+struct LobeCases {
+    simd::mask_of<S> small, dark;
+};
+template<class S, class Points, class Cosine, class Light>
+GONIO_FORCE_INLINE LobeCases<S> lobe_cases(const LobePose<S, Points, Cosine>& pose, const Light& light,
+                                           vec3<S> to_center) {
+    const S height = center_height(pose.points, light, pose.frame, to_center);
+    const S rise = pose.points.rise();
+    constexpr double from2 = rows_from * rows_from;
+    constexpr double from2_if_cut = rows_from_if_cut * rows_from_if_cut;
+    return {pose.size2 < simd::select(simd::abs(height) < rise, S(from2_if_cut), S(from2)) * pose.distance2,
+            simd::either(simd::either(height < -rise, unlit_side<S>(light, pose.points)), !pose.seen)};
+}
+
+// Their sum as a result.
+template<class S>
+GONIO_FORCE_INLINE SpecularLuminance<S> as_luminance(S value, S grazing) {
+    return {simd::min(simd::max(value, S(0)), S(1)), simd::min(simd::max(grazing, S(0)), S(1))};
+}
+template<class S>
+GONIO_FORCE_INLINE S grazing_share(const PointSums<S>& sums) {
+    return sums.grazing / simd::max(sums.value, S(1e-36));
+}
+
 } // namespace detail
 
 // A lobe (gloss.hpp). `normal` and `view` are unit; `to_center` leads from the receiver to the light's centre. 0 where
@@ -231,18 +259,13 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
                                                      vec3<S> view, const Lobe<S>& lobe, const CosineOf& cosine_of) {
     const auto pose = detail::lobe_pose(light, to_center, normal, view, cosine_of);
     const auto& [n_dot_v, seen, frame, cosine, v, points, size2, distance2] = pose;
-    const S height = detail::center_height(points, light, frame, to_center);
-    const S rise = points.rise();
-    constexpr double from2 = detail::rows_from * detail::rows_from;
-    constexpr double from2_if_cut = detail::rows_from_if_cut * detail::rows_from_if_cut;
-    const auto small = size2 < simd::select(simd::abs(height) < rise, S(from2_if_cut), S(from2)) * distance2;
-    const auto dark = simd::either(simd::either(height < -rise, detail::unlit_side<S>(light, points)), !seen);
+    const auto [small, dark] = detail::lobe_cases(pose, light, to_center);
     S value = S(0);
     S grazing = S(0);
     if (simd::any(simd::both(small, !dark))) {
         const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::none>(points, lobe, cosine, v);
         value = sums.value;
-        grazing = sums.grazing / simd::max(sums.value, S(1e-36));
+        grazing = detail::grazing_share(sums);
     }
     if (!simd::all(simd::either(small, dark))) {
         const auto region = detail::region_of(cosine, points, light, frame, to_center);
@@ -267,12 +290,11 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
             by_share = simd::either(by_share, lost);
         }
         value = simd::select(small, value, simd::select(by_share, k, by_rows));
-        grazing = simd::select(
-            small, grazing,
-            simd::select(by_share, cosine.grazing / cosine.albedo, sums.grazing / simd::max(sums.value, S(1e-36))));
+        grazing = simd::select(small, grazing,
+                               simd::select(by_share, cosine.grazing / cosine.albedo, detail::grazing_share(sums)));
     }
-    return {simd::select(dark, S(0), simd::min(simd::max(value, S(0)), S(1))),
-            simd::min(simd::max(grazing, S(0)), S(1))};
+    const SpecularLuminance<S> lit = detail::as_luminance(value, grazing);
+    return {simd::select(dark, S(0), lit.scale), lit.grazing};
 }
 
 template<class S, class Light, template<class> class Lobe, class CosineOf>

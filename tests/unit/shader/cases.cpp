@@ -320,8 +320,10 @@ core_vector shaded(const Inputs& in, std::string_view light, const shading::Surf
     return {};
 }
 
-// The highlight of GGX by the transformed cosine, under a light that begins the inputs.
-core_vector highlight(Dice& dice, Inputs& in, std::string_view light, core_vector c, core_vector n, core_vector v) {
+// The highlight of GGX by rows of points or by the share of the transformed cosine, under a light that begins the
+// inputs.
+core_vector highlight(Dice& dice, Inputs& in, const ShaderFormula& names, core_vector c, core_vector n, core_vector v) {
+    const std::string_view light = names.light;
     const core_vector f0 = in.put(dice.color());
     const double f90 = in.put(dice.between(0.0, 1.0));
     const double rough = in.put(roughness(dice));
@@ -343,7 +345,9 @@ core_vector highlight(Dice& dice, Inputs& in, std::string_view light, core_vecto
     };
     const core_vector one{1.0, 1.0, 1.0};
     const auto under = [&](const auto& shape) {
-        return shading::specular_by_share(shape, c, n, v, shading::GgxLobe<double>{alpha}, cosine_of);
+        const shading::GgxLobe<double> lobe{alpha};
+        return names.method == "ltc" ? shading::specular_ltc(shape, c, n, v, lobe, cosine_of)
+                                     : shading::specular_by_share(shape, c, n, v, lobe, cosine_of);
     };
     const auto found = [&] {
         if (light == "sphere") return under(shading::SphereLight<double>{c, one, in.at(3), 0.0});
@@ -406,10 +410,11 @@ Case random_case(const Formula& formula, Dice& dice) {
             value = in.put(dice.color()) * (lit.value / pi);
         } else {
             const core_vector v = in.put(above(dice, n));
-            value = names.method == "ltc" ? highlight(dice, in, names.light, c, n, v)
-                                          : with_material(dice, in, names.material, [&](const auto& of) {
-                                                return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
-                                            });
+            const bool by_cosine = names.method == "ltc" || names.method == "ltc-share";
+            value = by_cosine ? highlight(dice, in, names, c, n, v)
+                              : with_material(dice, in, names.material, [&](const auto& of) {
+                                    return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
+                                });
         }
     } else if (names.what == "visibility") {
         take(area_case(dice, in, names.shadow_of, names.method));

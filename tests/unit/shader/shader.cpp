@@ -91,18 +91,19 @@ class ShaderErrors : public testing::TestWithParam<std::size_t> {};
 TEST_P(ShaderErrors, AreAsStated) {
     const Formula& formula = formulas()[GetParam()];
     const Function function = recorded(formula);
+    const Evaluator evaluate(function);
     const std::vector<Case> cases = random_cases(formula, test::scaled(std::size_t{10'000}));
     std::array<double, 2> worst{};
     double worst_in_double = 0.0;
     std::vector<double> errors;
     std::vector<double> errors_in_double;
     for (const Case& pose : cases) {
-        const std::array<float, 3> found = evaluate<float>(function, pose.inputs);
+        const std::array<float, 3> found = evaluate(pose.inputs);
         const double error = error_of(pose, {found[0], found[1], found[2]}, function.result);
         worst[pose.is_near ? 1 : 0] = std::max(worst[pose.is_near ? 1 : 0], error);
         errors.push_back(error);
         const std::vector<double> inputs(pose.inputs.begin(), pose.inputs.end());
-        errors_in_double.push_back(error_of(pose, evaluate<double>(function, inputs), function.result));
+        errors_in_double.push_back(error_of(pose, evaluate(inputs), function.result));
         worst_in_double = std::max(worst_in_double, errors_in_double.back());
     }
     EXPECT_LE(worst[0], formula.error.apart);
@@ -134,9 +135,11 @@ TEST(ShaderBranches, DoNotChangeTheResult) {
             const Recording recording(joined.graph);
             joined.join_stages();
         }
+        const Evaluator returning(early);
+        const Evaluator choosing(joined);
         for (const Case& pose : random_cases(formula, test::scaled(std::size_t{500}))) {
-            const std::array<float, 3> a = evaluate<float>(early, pose.inputs);
-            const std::array<float, 3> b = evaluate<float>(joined, pose.inputs);
+            const std::array<float, 3> a = returning(pose.inputs);
+            const std::array<float, 3> b = choosing(pose.inputs);
             ASSERT_EQ(a, b) << formula.function;
         }
     }
@@ -148,6 +151,7 @@ TEST(ShaderRange, LengthsMayBeSmallOrLarge) {
         if (formula.names.what != "irradiance" || formula.names.method != "exact" || formula.names.light == "sun")
             continue;
         const Function function = recorded(formula);
+        const Evaluator evaluate(function);
         for (const Case& pose : random_cases(formula, 500)) {
             for (const float scale : {0x1p-8F, 0x1p8F}) {
                 std::vector<float> inputs;
@@ -156,8 +160,7 @@ TEST(ShaderRange, LengthsMayBeSmallOrLarge) {
                     for (int i = 0; i < (parameter.type == Type::vector ? 3 : 1); ++i)
                         inputs.push_back(pose.inputs[inputs.size()] * (is_length ? scale : 1.0F));
                 }
-                ASSERT_EQ(evaluate<float>(function, inputs), evaluate<float>(function, pose.inputs))
-                    << formula.function;
+                ASSERT_EQ(evaluate(inputs), evaluate(pose.inputs)) << formula.function;
             }
         }
     }
