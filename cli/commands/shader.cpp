@@ -16,7 +16,7 @@ namespace {
 constexpr std::array formula_options{
     Option{"--light", "LIGHT,…", "sphere, disk, rect, tube, sun, point, spot", "shader-lights"},
     Option{"--method", "METHOD,…",
-           "exact, frostbite, ue4, point, ltc; a window of point, a lobe of spot (exact, none, frostbite)",
+           "exact, frostbite, ue4, point, ltc, …; a window of point, a lobe of spot (exact, none, frostbite)",
            "shader-methods"},
     Option{"--material", "MATERIAL,…", "its BRDF; with --light, what it reflects of that light", "shader-materials"},
     Option{"--shadow-of", "SHAPE,…", "what a sphere or capsule leaves of a uniform sky"},

@@ -1,6 +1,7 @@
 // Every function that `gonio shader` prints, run in headless Chromium at 10,000 random poses: GLSL ES by WebGL 2 into a
 // float target, WGSL by WebGPU in a compute shader. Each result is compared with the core in double, within the error
-// that the comment of the function states. Those that are written by hand too (by_hand/) are timed beside them. Run by run.sh.
+// that the comment of the function states. Those that are written by hand too (by_hand/) are timed beside them, and
+// highlights by rows of points beside those by a share. Run by run.sh.
 //   node browser.mjs WORK_FOLDER
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -137,6 +138,7 @@ const instructions = new Map(readFileSync(join(made, 'instructions.txt'), 'utf8'
 const shown = (x) => x.toExponential(1);
 const failures = [];
 const byHand = [];
+const highlights = [];
 console.log('| function | instructions: early returns | selects | error in WebGL 2 | near | in WebGPU | near |\n|---|---:|---:|---:|---:|---:|---:|');
 for (const file of readdirSync(join(made, 'cases')).sort()) {
   const pose = JSON.parse(readFileSync(join(made, 'cases', file), 'utf8'));
@@ -154,6 +156,7 @@ for (const file of readdirSync(join(made, 'cases')).sort()) {
   }
   const [real] = row;
   if (pose.hand) byHand.push({ name, given, pose, mine: real[0] });
+  if (/_ltc(_share)?$/.test(name)) highlights.push({ name, given, pose });
   const cell = (errors, near) => (pose.is_near.includes(1) || !near ? shown(errors[near]) : '');
   console.log(`| ${name} | ${instructions.get(name).slice(0, 2).join(' | ')} | ${cell(real[0], 0)} | ${cell(real[0], 1)} | ${cell(real[1], 0)} | ${cell(real[1], 1)} |`);
 }
@@ -168,6 +171,16 @@ for (const { name, given, pose, mine } of byHand) {
   const theirs = worst(pose, await tab.evaluate(byWebGl, { ...given, source: pose.hand }));
   const cells = [mine[0], mine[1], theirs[0], theirs[1]].map((error, i) => (i % 2 === 0 || pose.is_near.includes(1) ? shown(error) : ''));
   console.log(`| ${name} | ${instructions.get(name)[0]} | ${instructions.get(name)[2]} | ${ns.map((x) => x.toFixed(1)).join(' | ')} | ${cells.join(' | ')} |`);
+}
+console.log('\n| function | instructions | operations of a call | ns | inputs alone |\n|---|---:|---:|---:|---:|');
+for (const { name, given, pose } of highlights) {
+  const time = (source, call) => tab.evaluate(byWebGl, { ...given, call, source, repeat: 4 });
+  const ns = [Infinity, Infinity];
+  for (let round = 0; round < 3; ++round) {
+    const took = [await time(pose.real, given.call), await time('precision highp float;', 'vec3(n[0])')];
+    took.forEach((each, i) => { ns[i] = Math.min(ns[i], each); });
+  }
+  console.log(`| ${name} | ${instructions.get(name)[0]} | ${pose.operations} | ${ns.map((x) => x.toFixed(0)).join(' | ')} |`);
 }
 await browser.close();
 assert.deepEqual(failures, []);

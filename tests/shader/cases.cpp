@@ -101,6 +101,7 @@ nlohmann::ordered_json case_file(const Formula& formula, const Function& functio
     json["vector"] = function.result == Type::vector;
     json["apart"] = formula.error.apart;
     json["near"] = formula.error.near;
+    json["operations"] = operation_count(function);
     json["per_case"] = cases.front().inputs.size();
     json["arguments"] = arguments_of(function, "vec3", [](std::size_t i) { return fmt::format("n[{}]", i); });
     const Formula* const only = &formula;

@@ -116,9 +116,18 @@ std::vector<NodeId> printing_order(const Function& function) {
 }
 
 std::size_t operation_count(const Function& function) {
-    const std::vector<NodeId> needed = printing_order(function);
-    return static_cast<std::size_t>(std::count_if(
-        needed.begin(), needed.end(), [&](NodeId id) { return function.graph[id].operation > Operation::pack; }));
+    const Graph& graph = function.graph;
+    std::size_t count = 0;
+    for (const NodeId id : printing_order(function)) {
+        if (graph[id].operation <= Operation::pack) continue;
+        // The terms of a sum are added in its loop.
+        const LoopSet around = graph.loops_around(graph[id].operation == Operation::sum ? graph[id].arguments[0] : id);
+        std::size_t times = 1;
+        for (std::size_t loop = 0; loop < graph.loops().size(); ++loop)
+            if (((around >> loop) & 1U) != 0) times *= graph.loops()[loop].rows();
+        count += times;
+    }
+    return count;
 }
 
 } // namespace gonio::shader

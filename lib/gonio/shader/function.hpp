@@ -64,7 +64,8 @@ private:
 // The nodes that the result needs, each after those that it needs, in an order that the expressions alone decide:
 // compilers record the two sides of an operator in different orders.
 std::vector<NodeId> printing_order(const Function& function);
-// How many of them compute something: no constant, parameter, component or pack of three scalars.
+// How many operations a call runs that does not return early: no constant, parameter, component or pack of three
+// scalars counts, and the body of a loop once for each row.
 std::size_t operation_count(const Function& function);
 
 } // namespace gonio::shader

@@ -35,10 +35,10 @@ enum class ShaderBranches : std::uint8_t { real, select };
 
 // What identifies a formula. A part that a formula does not have is empty.
 struct ShaderFormula {
-    std::string_view what;      // irradiance, brdf, sample, pdf, shade or visibility
-    std::string_view light;     // sphere, disk, rect, tube, sun, point or spot
-    std::string_view method;    // exact, frostbite, ue4, point, representative-point, ltc, a window or a lobe
-    std::string_view material;  // lambert, eon, frostbite, ue4, gltf, blinn or ggx
+    std::string_view what;     // irradiance, brdf, sample, pdf, shade or visibility
+    std::string_view light;    // sphere, disk, rect, tube, sun, point or spot
+    std::string_view method;   // exact, frostbite, ue4, point, representative-point, ltc, ltc-share, a window or a lobe
+    std::string_view material; // lambert, eon, frostbite, ue4, gltf, blinn or ggx
     std::string_view shadow_of; // sphere or capsule
     bool operator==(const ShaderFormula&) const = default;
 };

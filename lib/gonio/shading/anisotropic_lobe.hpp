@@ -78,8 +78,12 @@ struct AnisotropicGgxInFrame {
     // it and sheared: the slopes of half vectors then have the covariance (a b; b c)/2 of this lobe, with
     // a = α_x² t_x² + α_y² t_y² and so on, instead of a (1 0; 0 1)/2. n·v and ‖n×v‖ as for ltc_ggx().
     GONIO_FORCE_INLINE LtcLobe<S, true> cosine(S n_dot_v, S sine) const {
-        const S along = width({S(1), S(0)});
-        const LtcLobe<S> even = ltc_ggx(along, n_dot_v, sine);
+        const S along = even_alpha();
+        return stretched(ltc_ggx(along, n_dot_v, sine), along);
+    }
+    // α of that isotropic lobe.
+    GONIO_FORCE_INLINE S even_alpha() const { return width({S(1), S(0)}); }
+    GONIO_FORCE_INLINE LtcLobe<S, true> stretched(const LtcLobe<S>& even, S along) const {
         const S inverse_area = S(1) / (alphas.x * alphas.y);
         return {even.m00,
                 even.m02,
@@ -94,7 +98,7 @@ struct AnisotropicGgxInFrame {
     }
     // The direction of the smaller α after that transform, unit.
     GONIO_FORCE_INLINE vec2<S> across_ridge() const {
-        const S along = width({S(1), S(0)});
+        const S along = even_alpha();
         const S inverse = S(1) / along;
         const auto is_wider_along = alphas.x >= alphas.y;
         const vec2<S> across = select(is_wider_along, vec2<S>{-tangent.y, tangent.x} * alphas.y, tangent * alphas.x);

@@ -1,6 +1,6 @@
 // The specular luminance of an area light by the share of a transformed cosine (ltc_share.hpp), corrected by a few
-// points: half the work of rows of points (specular_ltc.hpp) and larger errors. Shaders do it (shader/), and measure/
-// compares both.
+// points: half the work of rows of points (specular_ltc.hpp) and larger errors. Shaders can do it (shader/), and
+// measure/ compares both.
 //
 // The true lobe is summed over a few points of the light (light_points.hpp). If the light is small compared with the
 // lobe, that sum is the result. Otherwise the sum corrects the transformed cosine: its exact share is multiplied by the
