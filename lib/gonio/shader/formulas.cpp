@@ -1,4 +1,6 @@
 #include <gonio/shader/formulas.hpp>
+#include <gonio/shader/highlights.hpp>
+#include <gonio/shader/parameters.hpp>
 // After the recording scalar.
 #include <gonio/shading/brdf_blinn.hpp>
 #include <gonio/shading/brdf_eon.hpp>
@@ -13,7 +15,6 @@
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/occlusion.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/specular_by_share.hpp>
 
 #include <array>
 #include <numbers>
@@ -23,69 +24,6 @@
 namespace gonio::shader {
 
 namespace {
-
-using S = Recorded;
-namespace core = shading;
-
-// Lights, as their functions take them.
-
-Vector center_of(Function& f) {
-    return f.vector("to_center", "[m] from the receiver to the light's centre");
-}
-Vector normal_of(Function& f) {
-    return f.unit("normal", "unit, the receiver's");
-}
-Vector emission_axis_of(Function& f) {
-    return f.unit("axis", "unit, the direction in which the light emits");
-}
-
-// The core's lights emit 1 nt and have no window.
-Vector ones() {
-    return {S(1), S(1), S(1)};
-}
-
-struct Sphere {
-    Vector to_center;
-    S radius;
-    Vector normal;
-    explicit Sphere(Function& f) : to_center(center_of(f)), radius(f.size("radius", "[m]")), normal(normal_of(f)) {}
-    core::SphereLight<S> as_light() const { return {to_center, ones(), radius, S(0)}; }
-};
-struct Disk {
-    Vector to_center, axis;
-    S radius;
-    Vector normal;
-    explicit Disk(Function& f)
-        : to_center(center_of(f)), axis(emission_axis_of(f)), radius(f.size("radius", "[m]")), normal(normal_of(f)) {}
-    core::DiskLight<S> as_light() const { return {to_center, ones(), axis, radius, S(0), false}; }
-};
-struct Rectangle {
-    Vector to_center, axis, width_direction;
-    S width, height;
-    Vector normal;
-    explicit Rectangle(Function& f)
-        : to_center(center_of(f)),
-          axis(emission_axis_of(f)),
-          width_direction(f.unit("width_direction", "unit, across the axis")),
-          width(f.size("width", "[m]")),
-          height(f.size("height", "[m] across the width")),
-          normal(normal_of(f)) {}
-    core::RectangleLight<S> as_light() const {
-        return {to_center, ones(), axis, width_direction, width, height, S(0), false};
-    }
-};
-struct Tube {
-    Vector to_center, axis;
-    S radius, length;
-    Vector normal;
-    explicit Tube(Function& f)
-        : to_center(center_of(f)),
-          axis(f.unit("axis", "unit, along the tube")),
-          radius(f.size("radius", "[m]")),
-          length(f.size("tube_length", "[m] without the hemispheres at its ends")),
-          normal(normal_of(f)) {}
-    core::TubeLight<S> as_light() const { return {to_center, ones(), axis, radius, length, S(0)}; }
-};
 
 void name_direction(Function& f, const core::Direction<S>& d) {
     f.label("inverse_distance", d.inverse_distance);
@@ -344,13 +282,6 @@ struct Ways {
     Vector n, l, v;
 };
 
-Vector color_of(Function& f, std::string_view name, std::string_view meaning = "[0, 1]") {
-    return f.vector(name, meaning);
-}
-S share_of(Function& f, std::string_view name, std::string_view meaning = "[0, 1]") {
-    return f.size(name, meaning);
-}
-
 core::Lambert<S> lambert(Function& f) {
     return {color_of(f, "albedo")};
 }
@@ -388,6 +319,26 @@ core::Ggx<S> ggx(Function& f) {
     return {f0, share_of(f, "alpha", "[0, 1], the square of a roughness")};
 }
 
+// GGX with a grain: f of red, green and blue.
+struct GrainedGgx {
+    Vector f0;
+    Grain grain;
+    explicit GrainedGgx(Function& f) : f0(color_of(f, "f0", "[0, 1], reflectance at normal incidence")), grain(f) {}
+};
+GrainedGgx ggx_anisotropic(Function& f) {
+    return GrainedGgx(f);
+}
+core::FacetPose<S> facet_pose(const GrainedGgx& material, Vector n, Vector l, Vector v) {
+    return {core::TangentFrame<S>(material.grain.tangent, n), l, v};
+}
+Vector brdf_of(Function& f, const GrainedGgx& material, const Ways& ways) {
+    const core::FacetPose<S> pose = facet_pose(material, ways.n, ways.l, ways.v);
+    f.label("l_of_surface", pose.l, "In the frame of tangent, bitangent and normal.");
+    f.label("v_of_surface", pose.v);
+    f.label("h", pose.h);
+    const core::AnisotropicAlpha<S>& alphas = material.grain.alphas;
+    return core::reflected_part(material.f0, S(1), core::specular_ggx(pose, alphas, alphas));
+}
 template<class Material>
 Vector brdf_of(Function& f, const Material& material, const Ways& ways) {
     const S n_dot_l = dot(ways.n, ways.l);
@@ -412,19 +363,34 @@ void brdf(Function& f) {
 }
 
 // A direction towards the light, and the density of such directions.
+template<class Material>
+Vector sampled(const Material& material, Vector n, Vector v, Vector u) {
+    return core::sample_brdf(material, n, v, u).l;
+}
+Vector sampled(const GrainedGgx& material, Vector n, Vector v, Vector u) {
+    const core::TangentFrame<S> frame(material.grain.tangent, n);
+    return frame.to_world(core::reflected_direction_ggx(frame.to_local(v), material.grain.alphas, u.x, u.y));
+}
 template<auto material>
 void sample(Function& f) {
     const Vector n = f.unit("n", "unit, the surface's normal");
     const Vector v = f.unit("v", "unit, to the eye");
     const Vector u = f.vector("u", "three random numbers, each in [0, 1)");
-    f.returns(core::sample_brdf(material(f), n, v, u).l);
+    f.returns(sampled(material(f), n, v, u));
+}
+template<class Material>
+S density_of(const Material& material, Vector n, Vector v, Vector l) {
+    return core::pdf_brdf(material, n, v, l);
+}
+S density_of(const GrainedGgx& material, Vector n, Vector v, Vector l) {
+    return core::pdf_reflected_ggx(facet_pose(material, n, l, v), material.grain.alphas);
 }
 template<auto material>
 void density(Function& f) {
     const Vector n = f.unit("n", "unit, the surface's normal");
     const Vector v = f.unit("v", "unit, to the eye");
     const Vector l = f.unit("l", "unit, to the light");
-    f.returns(core::pdf_brdf(material(f), n, v, l));
+    f.returns(density_of(material(f), n, v, l));
 }
 
 // Luminance per candela of a point light or a spot.
@@ -480,129 +446,6 @@ void shade_area(Function& f) {
     f.result = Type::vector;
     const NodeId last = f.stages.back().value;
     if (f.stages.front().value == last) f.stages = {{no_node, last, {}}}; // there is no diffuse part
-}
-
-// GGX under an area light by linearly transformed cosines, with the numbers of the cosine as parameters, which come
-// from a table (`gonio bake --table ltc-ggx`).
-template<class Light>
-struct CosineHighlight {
-    Light light;
-    Vector view, f0;
-    S f90, roughness;
-    Vector leaning, reflected;
-    core::GgxLobe<S> lobe;
-
-    explicit CosineHighlight(Function& f)
-        : light(f),
-          view(f.unit("view", "unit, from the surface to the eye")),
-          f0(color_of(f, "f0", "[0, 1], reflectance at normal incidence")),
-          f90(share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces")),
-          roughness(share_of(f, "roughness", "linear, [0, 1]: alpha is its square")),
-          leaning(f.vector("leaning", "along, raised and across of the table at n.v and the roughness")),
-          reflected(f.vector("reflected", "slant, albedo and grazing of the table at the same place")),
-          lobe{simd::max(roughness * roughness, S(core::minimum_alpha))} {}
-
-    core::LtcLobe<S> cosine(S n_dot_v, S sine) const {
-        const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
-        return core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y, reflected.z,
-                                       lobe.alpha, mu, sine);
-    }
-    auto cosine_of() const {
-        return [this](S n_dot_v, S sine) { return cosine(n_dot_v, sine); };
-    }
-    auto pose() const {
-        return core::detail::lobe_pose(light.as_light(), light.to_center, light.normal, view, cosine_of());
-    }
-    Vector luminance(const core::SpecularLuminance<S>& found) const {
-        return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
-    }
-};
-
-template<class Pose>
-void label_pose(Function& f, const Pose& pose) {
-    f.label("n_dot_v", pose.n_dot_v);
-    f.label("x", pose.frame.x, "The lobe's frame: x towards which the mirrored view leans, y, and the normal.");
-    f.label("y", pose.frame.y);
-    f.label("sine", pose.frame.sine, "Of the angle between normal and view.");
-    f.label("m00", pose.cosine.m00, "The matrix that makes the lobe a cosine.");
-    f.label("m02", pose.cosine.m02);
-    f.label("m20", pose.cosine.m20);
-    f.label("m22", pose.cosine.m22);
-    f.label("center", pose.points.patch.center);
-    f.label("size2", pose.size2, "Of the light after the transform.");
-    f.label("distance2", pose.distance2);
-}
-
-// The sums at points in loops, and what their bodies compute.
-void label_sums(Function& f, const core::detail::PointSums<S>& sums, std::string_view prefix, std::string_view note) {
-    const auto label = [&](std::string_view name, S value, std::string_view text = {}) {
-        f.label(std::string(prefix) + std::string(name), value, text);
-    };
-    label("value", sums.value, note);
-    label("grazing", sums.grazing);
-    label("by_cosine", sums.by_cosine);
-}
-template<class Points>
-void label_points(Function& f, const Points& points, Vector v) {
-    points.for_each([&](Vector p, S strength) {
-        f.label("p", p);
-        f.label("strength", strength);
-        const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-18)));
-        f.label("inverse", inverse);
-        f.label("l", p * inverse);
-        const auto h = core::half_vector(p * inverse, v);
-        f.label("l_dot_h", h.l_dot_h);
-    });
-}
-
-// specular_ltc.hpp.
-template<class Light>
-void highlight_ltc(Function& f) {
-    const CosineHighlight<Light> of(f);
-    const auto light = of.light.as_light();
-    const auto any_pose = of.pose();
-    const auto [small, dark] = core::detail::lobe_cases(any_pose, light, of.light.to_center);
-    label_pose(f, any_pose);
-    f.label("small", small);
-    f.label("dark", dark);
-    const Vector none{S(0), S(0), S(0)};
-    f.early(dark, S::of(none.node()), "Nothing of the light is above the horizon, or the surface is not seen.");
-    const auto pose = of.pose();
-    label_points(f, pose.points, pose.v);
-    const auto sums =
-        core::detail::point_sums<core::detail::CosineSum::none>(pose.points, of.lobe, pose.cosine, pose.v);
-    label_sums(f, sums, "points_", "The lobe itself at points of the light, which are enough for a small one.");
-    const auto by_points = core::detail::as_luminance(sums.value, core::detail::grazing_share(sums));
-    f.early(small, S::of(of.luminance(by_points).node()), "Small against the lobe.");
-    const auto region = core::detail::region_of(pose.cosine, pose.points, light, pose.frame, of.light.to_center);
-    const core::detail::RowPoints<S, std::remove_cv_t<decltype(region)>, core::GgxLobe<S>, core::LtcLobe<S>> rows(
-        region, pose.cosine, of.lobe, pose.v);
-    label_points(f, rows, pose.v);
-    label_sums(f, core::detail::point_sums<core::detail::CosineSum::whole>(rows, of.lobe, pose.cosine, pose.v), "rows_",
-               "The lobe itself, and the cosine, along rows of points that the cosine places in the light.");
-    const auto found = core::specular_ltc(light, of.light.to_center, of.light.normal, of.view, of.lobe, of.cosine_of());
-    f.returns(of.luminance(found));
-}
-
-// specular_by_share.hpp.
-template<class Light>
-void highlight_by_share(Function& f) {
-    const CosineHighlight<Light> of(f);
-    // The simple case.
-    const auto pose = of.pose();
-    constexpr double alone = core::detail::ltc_points_alone[0];
-    const auto small = pose.size2 < S(alone * alone) * pose.distance2;
-    const auto dark = pose.is_below();
-    const auto sums =
-        core::detail::point_sums<core::detail::CosineSum::none>(pose.points, of.lobe, pose.cosine, pose.v);
-    label_pose(f, pose);
-    f.label("small", small);
-    f.label("dark", dark);
-    f.label("by_points", sums.value, "The lobe itself at points of the light.");
-    f.early(simd::either(small, dark), S::of(of.luminance(core::detail::points_alone(sums, dark)).node()),
-            "Small against the lobe, or below the horizon: the points are enough.");
-    f.returns(of.luminance(core::specular_by_share(of.light.as_light(), of.light.to_center, of.light.normal, of.view,
-                                                   of.lobe, of.cosine_of())));
 }
 
 template<class Light, void (*stages)(Function&, const Light&)>
@@ -742,10 +585,10 @@ constexpr Formula highlight_row(std::string_view light, std::string_view materia
                                                : "nearer to the light than a tenth of its size",
             record};
 }
-constexpr Formula ltc_row(std::string_view light, std::string_view method, std::string_view function,
-                          std::string_view title, std::string_view source, ShaderError error,
+constexpr Formula ltc_row(std::string_view light, std::string_view method, std::string_view material,
+                          std::string_view function, std::string_view title, std::string_view source, ShaderError error,
                           void (*record)(Function&)) {
-    return {{"shade", light, method, "ggx", {}},
+    return {{"shade", light, method, material, {}},
             function,
             title,
             "luminance of red, green and blue per luminance of the light",
@@ -767,6 +610,19 @@ constexpr Formula shade_area_row(std::string_view light, std::string_view functi
             error,
             "the result + 0.1 * (angle [rad] that the light subtends)",
             "nearer to the light than a tenth of its size",
+            record};
+}
+constexpr Formula roughness_row(std::string_view material, std::string_view function, std::string_view title,
+                                std::string_view source, double error, void (*record)(Function&)) {
+    return {{"roughness", {}, {}, material, {}},
+            function,
+            title,
+            "the roughness [0, 1.3] of the isotropic lobe that is as wide in the plane of normal and view; above 1 it "
+            "counts as 1",
+            source,
+            {error, error},
+            "the result + 0.1",
+            {},
             record};
 }
 constexpr Formula visibility_row(std::string_view shadow_of, std::string_view function, std::string_view title,
@@ -796,6 +652,9 @@ constexpr std::string_view heitz = "Heitz, JCGT 3(2), 2014; Schlick 1994";
 constexpr std::string_view by_rows =
     "the lobe summed over rows of points that the transformed cosine of Heitz et al., ACM TOG 35(4), 2016, places, and "
     "corrected by its exact share. leaning and reflected: gonio bake --table ltc-ggx";
+constexpr std::string_view by_stretched_rows =
+    "the lobe summed over rows of points that a transformed cosine places: that of the isotropic lobe as wide in the "
+    "plane of normal and view, stretched and sheared. leaning and reflected: gonio bake --table ltc-ggx";
 constexpr std::string_view by_share =
     "Heitz et al., ACM TOG 35(4), 2016; the lobe keeps its sign, the light is clipped once, and points of the light "
     "correct it. leaning and reflected: gonio bake --table ltc-ggx";
@@ -880,6 +739,9 @@ constexpr std::array all{
              2e-5, brdf<blinn>),
     brdf_row("ggx", "ggx_brdf", "GGX alone, single scattering, with height-correlated shadowing.", heitz, 2e-5,
              brdf<ggx>),
+    brdf_row("ggx-anisotropic", "ggx_anisotropic_brdf",
+             "GGX that is rougher along one direction of the surface than across it.", heitz, 3e-5,
+             brdf<ggx_anisotropic>),
     sample_row("lambert", "lambert_sample", "A direction to the light for the BRDF of Lambert, by importance.",
                "Cosine sampling", 5e-6, sample<lambert>),
     density_row("lambert", "lambert_pdf", "The density of the directions of lambert_sample.", "Cosine sampling", 2e-7,
@@ -910,6 +772,11 @@ constexpr std::array all{
     sample_row("ggx", "ggx_sample", "A direction to the light for the BRDF of GGX, by importance.", visible_normals,
                4e-5, sample<ggx>),
     density_row("ggx", "ggx_pdf", "The density of the directions of ggx_sample.", visible_normals, 2e-6, density<ggx>),
+    sample_row("ggx-anisotropic", "ggx_anisotropic_sample",
+               "A direction to the light for the BRDF of anisotropic GGX, by importance.", visible_normals, 5e-5,
+               sample<ggx_anisotropic>),
+    density_row("ggx-anisotropic", "ggx_anisotropic_pdf", "The density of the directions of ggx_anisotropic_sample.",
+                visible_normals, 8e-6, density<ggx_anisotropic>),
     shade_point_row("lambert", "point_shade_lambert", "A Lambert surface under a point light.", "Lambert 1760", 5e-7,
                     shade_punctual<Punctual, lambert>),
     shade_point_row("eon", "point_shade_eon", "An EON surface under a point light.", eon_paper, 3e-6,
@@ -924,6 +791,8 @@ constexpr std::array all{
                     shade_punctual<Punctual, blinn>),
     shade_point_row("ggx", "point_shade_ggx", "A GGX surface under a point light.", heitz, 4e-5,
                     shade_punctual<Punctual, ggx>),
+    shade_point_row("ggx-anisotropic", "point_shade_ggx_anisotropic", "An anisotropic GGX surface under a point light.",
+                    heitz, 7e-6, shade_punctual<Punctual, ggx_anisotropic>),
     shade_spot_row("lambert", "spot_shade_lambert", "A Lambert surface under a spot that fades as in Frostbite.",
                    "Lambert 1760", 5e-6, shade_punctual<Spot, lambert>),
     shade_spot_row("eon", "spot_shade_eon", "An EON surface under a spot that fades as in Frostbite.", eon_paper, 4e-6,
@@ -938,6 +807,9 @@ constexpr std::array all{
                    remember_me, 1e-5, shade_punctual<Spot, blinn>),
     shade_spot_row("ggx", "spot_shade_ggx", "A GGX surface under a spot that fades as in Frostbite.", heitz, 5e-6,
                    shade_punctual<Spot, ggx>),
+    shade_spot_row("ggx-anisotropic", "spot_shade_ggx_anisotropic",
+                   "An anisotropic GGX surface under a spot that fades as in Frostbite.", heitz, 2e-5,
+                   shade_punctual<Spot, ggx_anisotropic>),
     shade_area_row("sphere", "sphere_shade_lambert", "A Lambert surface under a uniform sphere, exact.", snyder,
                    {3e-7, 4e-6}, shade_lambert<Sphere, sphere_stages>),
     shade_area_row("disk", "disk_shade_lambert", "A Lambert surface under a uniform one-sided disk, exact.",
@@ -971,22 +843,36 @@ constexpr std::array all{
                   {9e-6, 2e-5}, shade_area<Tube, tube_stages, blinn>),
     highlight_row("tube", "ggx", "tube_shade_ggx", "A GGX surface under a uniform tube.", {1e-4, 3e-4},
                   shade_area<Tube, tube_stages, ggx>),
-    ltc_row("sphere", "ltc", "sphere_shade_ggx_ltc", "A GGX surface under a uniform sphere.", by_rows, {2e-3, 2e-3},
-            highlight_ltc<Sphere>),
-    ltc_row("disk", "ltc", "disk_shade_ggx_ltc", "A GGX surface under a uniform one-sided disk.", by_rows, {3e-2, 3e-1},
-            highlight_ltc<Disk>),
-    ltc_row("rect", "ltc", "rect_shade_ggx_ltc", "A GGX surface under a uniform one-sided rectangle.", by_rows,
-            {3e-5, 2}, highlight_ltc<Rectangle>),
-    ltc_row("tube", "ltc", "tube_shade_ggx_ltc", "A GGX surface under a uniform tube.", by_rows, {1e-3, 1e-3},
+    ltc_row("sphere", "ltc", "ggx", "sphere_shade_ggx_ltc", "A GGX surface under a uniform sphere.", by_rows,
+            {3e-4, 3e-4}, highlight_ltc<Sphere>),
+    ltc_row("disk", "ltc", "ggx", "disk_shade_ggx_ltc", "A GGX surface under a uniform one-sided disk.", by_rows,
+            {2e-2, 6e-2}, highlight_ltc<Disk>),
+    ltc_row("rect", "ltc", "ggx", "rect_shade_ggx_ltc", "A GGX surface under a uniform one-sided rectangle.", by_rows,
+            {2e-5, 1}, highlight_ltc<Rectangle>),
+    ltc_row("tube", "ltc", "ggx", "tube_shade_ggx_ltc", "A GGX surface under a uniform tube.", by_rows, {2e-4, 3e-4},
             highlight_ltc<Tube>),
-    ltc_row("sphere", "ltc-share", "sphere_shade_ggx_ltc_share", "A GGX surface under a uniform sphere.", by_share,
-            {2e-3, 2e-3}, highlight_by_share<Sphere>),
-    ltc_row("disk", "ltc-share", "disk_shade_ggx_ltc_share", "A GGX surface under a uniform one-sided disk.", by_share,
-            {3e-2, 3e-1}, highlight_by_share<Disk>),
-    ltc_row("rect", "ltc-share", "rect_shade_ggx_ltc_share", "A GGX surface under a uniform one-sided rectangle.",
-            by_share, {3e-5, 2}, highlight_by_share<Rectangle>),
-    ltc_row("tube", "ltc-share", "tube_shade_ggx_ltc_share", "A GGX surface under a uniform tube.", by_share,
+    ltc_row("sphere", "ltc-share", "ggx", "sphere_shade_ggx_ltc_share", "A GGX surface under a uniform sphere.",
+            by_share, {2e-3, 2e-3}, highlight_by_share<Sphere>),
+    ltc_row("disk", "ltc-share", "ggx", "disk_shade_ggx_ltc_share", "A GGX surface under a uniform one-sided disk.",
+            by_share, {3e-2, 3e-1}, highlight_by_share<Disk>),
+    ltc_row("rect", "ltc-share", "ggx", "rect_shade_ggx_ltc_share",
+            "A GGX surface under a uniform one-sided rectangle.", by_share, {3e-5, 2}, highlight_by_share<Rectangle>),
+    ltc_row("tube", "ltc-share", "ggx", "tube_shade_ggx_ltc_share", "A GGX surface under a uniform tube.", by_share,
             {1e-3, 1e-3}, highlight_by_share<Tube>),
+    ltc_row("sphere", "ltc", "ggx-anisotropic", "sphere_shade_ggx_anisotropic_ltc",
+            "An anisotropic GGX surface under a uniform sphere.", by_stretched_rows, {6e-5, 6e-4},
+            highlight_anisotropic<Sphere>),
+    ltc_row("disk", "ltc", "ggx-anisotropic", "disk_shade_ggx_anisotropic_ltc",
+            "An anisotropic GGX surface under a uniform one-sided disk.", by_stretched_rows, {2e-5, 2e-2},
+            highlight_anisotropic<Disk>),
+    ltc_row("rect", "ltc", "ggx-anisotropic", "rect_shade_ggx_anisotropic_ltc",
+            "An anisotropic GGX surface under a uniform one-sided rectangle.", by_stretched_rows, {1e-5, 2e-3},
+            highlight_anisotropic<Rectangle>),
+    ltc_row("tube", "ltc", "ggx-anisotropic", "tube_shade_ggx_anisotropic_ltc",
+            "An anisotropic GGX surface under a uniform tube.", by_stretched_rows, {7e-3, 2e-2},
+            highlight_anisotropic<Tube>),
+    roughness_row("ggx-anisotropic", "ggx_anisotropic_roughness",
+                  "Where an anisotropic lobe reads the table of isotropic ones.", heitz, 4e-7, anisotropic_roughness),
     visibility_row("sphere", "sky_visibility_sphere", "What a sphere leaves of a uniform sky, exact.",
                    "1 - E/(pi L) of a sphere that emits L", {8e-7, 6e-6}, visibility<Sphere, sphere_stages>),
     visibility_row("capsule", "sky_visibility_capsule",

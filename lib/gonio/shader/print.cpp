@@ -130,20 +130,18 @@ public:
         const std::string_view type = words.types[static_cast<std::size_t>(Type::scalar)];
         for (const Table& table : all_) {
             const std::size_t size = table.numbers.size();
-            std::string numbers;
-            for (const double each : table.numbers)
-                numbers += (numbers.empty() ? "" : ", ") + number_text(each, words);
             switch (words.language) {
             case ShaderLanguage::wgsl:
-                text += fmt::format("const {} = array<f32, {}>({});\n", table.name, size, numbers);
+                text += list(fmt::format("const {} = array<f32, {}>(", table.name, size), table, ");", words);
                 break;
             case ShaderLanguage::glsl_es300:
             case ShaderLanguage::glsl450:
-                text += fmt::format("const {0} {1}[{2}] = {0}[{2}]({3});\n", type, table.name, size, numbers);
+                text += list(fmt::format("const {0} {1}[{2}] = {0}[{2}](", type, table.name, size), table, ");", words);
                 break;
             case ShaderLanguage::hlsl:
             case ShaderLanguage::msl:
-                text += fmt::format("{} {} {}[{}] = {{{}}};\n", words.before_table, type, table.name, size, numbers);
+                text += list(fmt::format("{} {} {}[{}] = {{", words.before_table, type, table.name, size), table, "};",
+                             words);
                 break;
             }
         }
@@ -155,6 +153,21 @@ private:
         std::string name;
         std::vector<double> numbers;
     };
+    static std::string list(std::string line, const Table& table, std::string_view end, const Words& words) {
+        std::string lines;
+        const std::size_t size = table.numbers.size();
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::string part = number_text(table.numbers[i], words) + std::string(i + 1 == size ? end : ",");
+            if (line.size() + 1 + part.size() > widest) {
+                lines += line + "\n";
+                line = "    " + part;
+            } else {
+                line += (i == 0 ? "" : " ") + part;
+            }
+        }
+        return lines + line + "\n";
+    }
+
     std::vector<Table> all_;
 };
 

@@ -645,6 +645,12 @@ private:
             width = simd::sqrt(simd::mul_add(aside * aside, inverse_dr2, S(1)) * inverse_dr2);
         }
 
+        if constexpr (!Lobe::is_even) {
+            // Far from the part, where a row almost meets the axis, a second step may end so far away that the
+            // difference to the part is lost. From here already the points are at nearly equal steps of τ.
+            const S reach = S(1e3) * (last - part.from);
+            least = simd::min(simd::max(least, part.from - reach), last + reach);
+        }
         const S farthest = S(1e4) * width;
         const auto clamped = [&](S tau) __attribute__((always_inline)) {
             return simd::min(simd::max(tau - least, -farthest), farthest);

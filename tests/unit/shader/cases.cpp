@@ -1,6 +1,7 @@
 #include "cases.hpp"
 
 // The scalar is double here; the recording scalar has come first, as its header asks.
+#include <gonio/shading/anisotropic_lobe.hpp>
 #include <gonio/shading/brdf_blinn.hpp>
 #include <gonio/shading/brdf_eon.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
@@ -320,42 +321,76 @@ core_vector shaded(const Inputs& in, std::string_view light, const shading::Surf
     return {};
 }
 
+// A surface that is rougher along one direction, with a tangent anywhere across its normal.
+struct Grain {
+    core_vector tangent;
+    shading::AnisotropicAlpha<double> alphas;
+
+    Grain(Dice& dice, Inputs& in, core_vector n) {
+        tangent = in.put(dice.across(n));
+        alphas.x = in.put(dice.between(0.01, 1.0));
+        alphas.y = in.put(dice.between(0.01, 1.0));
+    }
+    shading::TangentFrame<double> frame(core_vector n) const { return {tangent, n}; }
+    shading::FacetPose<double> pose(core_vector n, core_vector l, core_vector v) const { return {frame(n), l, v}; }
+    core_vector brdf(core_vector f0, core_vector n, core_vector l, core_vector v) const {
+        return shading::reflected_part(f0, 1.0, shading::specular_ggx(pose(n, l, v), alphas, alphas));
+    }
+    shading::AnisotropicGgxInFrame<double> lobe(core_vector n, core_vector v) const {
+        const shading::LtcFrame<double> in = shading::ltc_frame(n, v);
+        return {alphas, {shading::dot(in.x, tangent), shading::dot(in.y, tangent)}, alphas.mean()};
+    }
+};
+
 // The highlight of GGX by rows of points or by the share of the transformed cosine, under a light that begins the
 // inputs.
 core_vector highlight(Dice& dice, Inputs& in, const ShaderFormula& names, core_vector c, core_vector n, core_vector v) {
-    const std::string_view light = names.light;
     const core_vector f0 = in.put(dice.color());
     const double f90 = in.put(dice.between(0.0, 1.0));
-    const double rough = in.put(roughness(dice));
-    constexpr auto last = static_cast<double>(shading::ltc_ggx_size - 1);
-    const double mu = std::clamp(shading::dot(n, v), 0.0, 1.0);
-    const auto column = static_cast<std::size_t>(std::lround(rough * last));
-    const auto row = static_cast<std::size_t>(std::lround(std::sqrt(mu) * last));
-    const shading::LtcEntry entry = shading::ltc_ggx_table[row * shading::ltc_ggx_size + column];
-    in.put(core_vector{static_cast<double>(entry.along), static_cast<double>(entry.raised),
-                       static_cast<double>(entry.across)});
-    in.put(core_vector{static_cast<double>(entry.slant), static_cast<double>(entry.albedo),
-                       static_cast<double>(entry.grazing)});
-    const double alpha = rough * rough;
-    const auto cosine_of = [&](double n_dot_v, double sine) {
-        return shading::detail::lobe_from<double>(static_cast<double>(entry.along), static_cast<double>(entry.raised),
-                                                  static_cast<double>(entry.across), static_cast<double>(entry.slant),
-                                                  static_cast<double>(entry.albedo), static_cast<double>(entry.grazing),
-                                                  alpha, std::clamp(n_dot_v, 0.0, 1.0), sine);
+    // An entry of the table at the nearest place.
+    const auto even_cosine_of = [&](double rough) {
+        constexpr auto last = static_cast<double>(shading::ltc_ggx_size - 1);
+        const double mu = std::clamp(shading::dot(n, v), 0.0, 1.0);
+        const auto column = static_cast<std::size_t>(std::lround(std::min(rough, 1.0) * last));
+        const auto row = static_cast<std::size_t>(std::lround(std::sqrt(mu) * last));
+        const shading::LtcEntry entry = shading::ltc_ggx_table[row * shading::ltc_ggx_size + column];
+        in.put(core_vector{static_cast<double>(entry.along), static_cast<double>(entry.raised),
+                           static_cast<double>(entry.across)});
+        in.put(core_vector{static_cast<double>(entry.slant), static_cast<double>(entry.albedo),
+                           static_cast<double>(entry.grazing)});
+        return [entry, alpha = rough * rough](double n_dot_v, double sine) {
+            return shading::detail::lobe_from<double>(
+                static_cast<double>(entry.along), static_cast<double>(entry.raised), static_cast<double>(entry.across),
+                static_cast<double>(entry.slant), static_cast<double>(entry.albedo), static_cast<double>(entry.grazing),
+                alpha, std::clamp(n_dot_v, 0.0, 1.0), sine);
+        };
     };
     const core_vector one{1.0, 1.0, 1.0};
-    const auto under = [&](const auto& shape) {
-        const shading::GgxLobe<double> lobe{alpha};
-        return names.method == "ltc" ? shading::specular_ltc(shape, c, n, v, lobe, cosine_of)
-                                     : shading::specular_by_share(shape, c, n, v, lobe, cosine_of);
+    const auto under = [&](const auto& work) -> shading::SpecularLuminance<double> {
+        if (names.light == "sphere") return work(shading::SphereLight<double>{c, one, in.at(3), 0.0});
+        if (names.light == "disk") return work(shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false});
+        if (names.light == "rect")
+            return work(
+                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false});
+        return work(shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0});
     };
     const auto found = [&] {
-        if (light == "sphere") return under(shading::SphereLight<double>{c, one, in.at(3), 0.0});
-        if (light == "disk") return under(shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false});
-        if (light == "rect")
-            return under(
-                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false});
-        return under(shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0});
+        if (names.material == "ggx-anisotropic") {
+            const shading::AnisotropicGgxInFrame<double> lobe = Grain(dice, in, n).lobe(n, v);
+            const double alpha = lobe.even_alpha();
+            const auto even = even_cosine_of(std::sqrt(alpha));
+            const auto cosine_of = [&](double n_dot_v, double sine) {
+                return lobe.stretched(even(n_dot_v, sine), alpha);
+            };
+            return under([&](const auto& shape) { return shading::specular_ltc(shape, c, n, v, lobe, cosine_of); });
+        }
+        const double rough = in.put(roughness(dice));
+        const auto cosine_of = even_cosine_of(rough);
+        const shading::GgxLobe<double> lobe{rough * rough};
+        return under([&](const auto& shape) {
+            return names.method == "ltc" ? shading::specular_ltc(shape, c, n, v, lobe, cosine_of)
+                                         : shading::specular_by_share(shape, c, n, v, lobe, cosine_of);
+        });
     }();
     return (f0 + (core_vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
 }
@@ -366,6 +401,7 @@ Case random_case(const Formula& formula, Dice& dice) {
     core_vector value{};
     double scale = 0.1;
     bool is_near = false;
+    const bool is_grained = names.material == "ggx-anisotropic";
     const auto take = [&](const Expected& expected) {
         value = {expected.value, expected.value, expected.value};
         scale = expected.scale;
@@ -375,30 +411,56 @@ Case random_case(const Formula& formula, Dice& dice) {
         const core_vector n = in.put(dice.direction());
         const core_vector l = in.put(above(dice, n));
         const core_vector v = in.put(above(dice, n));
-        value = with_material(dice, in, names.material, [&](const auto& of) { return shading::brdf(of, n, l, v); });
+        if (is_grained) {
+            const core_vector f0 = in.put(dice.color());
+            value = Grain(dice, in, n).brdf(f0, n, l, v);
+        } else {
+            value = with_material(dice, in, names.material, [&](const auto& of) { return shading::brdf(of, n, l, v); });
+        }
     } else if (names.what == "sample") {
         const core_vector n = in.put(dice.direction());
         const core_vector v = in.put(above(dice, n));
         const core_vector u = in.put(dice.color());
-        value = with_material(dice, in, names.material,
-                              [&](const auto& of) { return shading::sample_brdf(of, n, v, u).l; });
+        if (is_grained) {
+            in.put(dice.color());
+            const Grain grain(dice, in, n);
+            const shading::TangentFrame<double> frame = grain.frame(n);
+            value = frame.to_world(shading::reflected_direction_ggx(frame.to_local(v), grain.alphas, u.x, u.y));
+        } else {
+            value = with_material(dice, in, names.material,
+                                  [&](const auto& of) { return shading::sample_brdf(of, n, v, u).l; });
+        }
     } else if (names.what == "pdf") {
         const core_vector n = in.put(dice.direction());
         const core_vector v = in.put(above(dice, n));
         const core_vector l = in.put(above(dice, n));
-        value = with_material(dice, in, names.material, [&](const auto& of) {
-            const double pdf = shading::pdf_brdf(of, n, v, l);
-            return core_vector{pdf, pdf, pdf};
-        });
+        const auto all_alike = [](double pdf) { return core_vector{pdf, pdf, pdf}; };
+        if (is_grained) {
+            in.put(dice.color());
+            const Grain grain(dice, in, n);
+            value = all_alike(shading::pdf_reflected_ggx(grain.pose(n, l, v), grain.alphas));
+        } else {
+            value = with_material(dice, in, names.material,
+                                  [&](const auto& of) { return all_alike(shading::pdf_brdf(of, n, v, l)); });
+        }
+    } else if (names.what == "roughness") {
+        const core_vector n = in.put(dice.direction());
+        const core_vector v = in.put(above(dice, n));
+        value.x = std::sqrt(Grain(dice, in, n).lobe(n, v).even_alpha());
     } else if (names.what == "shade" && (names.light == "point" || names.light == "spot")) {
         const bool is_spot = names.light == "spot";
         const Expected lit = is_spot ? spot_case(dice, in, names.method) : point_case(dice, in, names.method);
         const core_vector to_light = in.vector(0);
         const core_vector n = in.vector(3);
         const core_vector v = in.put(above(dice, n));
-        value = with_material(dice, in, names.material, [&](const auto& of) {
-            return shading::brdf(of, n, shading::normalized(to_light), v) * lit.value;
-        });
+        const core_vector l = shading::normalized(to_light);
+        if (is_grained) {
+            const core_vector f0 = in.put(dice.color());
+            value = Grain(dice, in, n).brdf(f0, n, l, v) * lit.value;
+        } else {
+            value = with_material(dice, in, names.material,
+                                  [&](const auto& of) { return shading::brdf(of, n, l, v) * lit.value; });
+        }
         scale = lit.scale;
     } else if (names.what == "shade") {
         const Expected lit = area_case(dice, in, names.light, names.method);
