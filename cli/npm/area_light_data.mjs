@@ -5,9 +5,9 @@ export const table_size = 32;
 
 // Names of their own in a shader of other people, and no first lines, which a shader has once.
 function prefixed(text) {
-  const functions = text.slice(text.indexOf('\n', text.indexOf('precision highp float;'))).trim();
-  const names = [...functions.matchAll(/^(?:float|vec3) (\w+)\(/gm)].map((match) => match[1]);
-  return functions.replaceAll(new RegExp(`\\b(${names.join('|')})(?=\\()`, 'g'), 'gonio_$1');
+  const code = text.slice(text.indexOf('\n', text.indexOf('precision highp float;'))).trim();
+  const names = [...code.matchAll(/^(?:float|vec3|const float) (\w+)[([]/gm)].map((match) => match[1]);
+  return code.replaceAll(new RegExp(`\\b(${names.join('|')})(?=[([])`, 'g'), 'gonio_$1');
 }
 
 // The layers of the raw file, one after the other: four halves a texel, then two.
@@ -17,14 +17,19 @@ function layers(bytes) {
   return [bytes.subarray(0, first), bytes.subarray(first)].map((part) => Buffer.from(part).toString('base64'));
 }
 
+const quoted = (text) => `\`${text.replaceAll('\\', '\\\\').replaceAll('`', '\\`').replaceAll('$', '\\$')}\``;
+
 export function areaLightData(run) {
-  const glsl = prefixed(run(['shader', '--light', lights, '--material', 'ggx', '--method', 'ltc', '--what', 'irradiance,shade', '--lang', 'glsl-es300']).stdout);
+  const glsl = (method) => quoted(prefixed(run(['shader', '--light', lights, '--material', 'ggx', '--method', method, '--what', 'irradiance,shade', '--lang', 'glsl-es300']).stdout));
   const { files } = run(['bake', '--table', 'ltc-ggx', '-s', `${table_size}`, '--pixel', 'half', '-o', 'ltc.raw']);
   const [leaning, reflected] = layers(files['ltc.raw']);
   return `// Written by build.mjs: what \`gonio shader\` and \`gonio bake --table ltc-ggx\` print.
 export const table_size = ${table_size};
 export const leaning = '${leaning}';
 export const reflected = '${reflected}';
-export const glsl = \`${glsl.replaceAll('\\', '\\\\').replaceAll('`', '\\`').replaceAll('$', '\\$')}\`;
+export const glsl = { // by the method of the highlights
+  ltc: ${glsl('ltc')},
+  'ltc-share': ${glsl('ltc-share')},
+};
 `;
 }

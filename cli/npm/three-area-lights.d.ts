@@ -1,6 +1,8 @@
 import type { ColorRepresentation, Light } from 'three';
 
 export type AreaLightShape = 'rect' | 'disk' | 'sphere' | 'tube';
+/** As the tool names it: `gonio shader --material ggx --method …`. */
+export type AreaLightMethod = 'ltc' | 'ltc-share';
 
 /**
  * Area lights for the WebGLRenderer of three.js r160 to r187: RectAreaLight by gonio's formulas, and disks, spheres and tubes.
@@ -11,9 +13,10 @@ export const GonioAreaLights: {
   readonly isReady: boolean;
   /**
    * Patches three.js, before the first frame. `shapes` are those to compile, 'rect' by default; a light of another shape adds
-   * its own. Throws an Error that names the line if this release of three.js lacks a line that is patched.
+   * its own. `method` is that of the highlights: 'ltc-share', or 'ltc', which is more accurate and takes longer; a change needs
+   * `needsUpdate` of materials. Throws an Error that names the line if this release of three.js lacks a line that is patched.
    */
-  init(options?: { shapes?: AreaLightShape[] }): void;
+  init(options?: { shapes?: AreaLightShape[]; method?: AreaLightMethod }): void;
   /** Frees the tables and gives three.js its own code back. Materials that were compiled need `needsUpdate`. */
   dispose(): void;
 };

@@ -7,6 +7,7 @@ import { ClampToEdgeWrapping, DataTexture, HalfFloatType, Light, LinearFilter, M
 import { glsl, leaning, reflected, table_size } from './area-light-data.mjs';
 
 const shapes = ['rect', 'disk', 'sphere', 'tube'];
+const usual_method = 'ltc-share';
 
 // Halves of the second vector (disk, sphere) or of the first (tube: times the radius), in metres.
 const least_size = 2 ** -40;
@@ -15,10 +16,10 @@ const sphere_mark = 2 ** -115;
 const marks_between = 2 ** -108;
 const tube_scale = 2 ** -64;
 
-const functions = (used) => `
+const functions = (used, method) => `
 #if NUM_RECT_AREA_LIGHTS > 0
 
-${glsl}
+${glsl[method]}
 
 struct GonioLobe {
 	vec3 leaning;
@@ -88,11 +89,11 @@ ${cases(used, {
 vec3 gonio_highlight( const in GonioAreaLight area, const in vec3 normal, const in vec3 view, const in vec3 f0, const in float f90, const in float roughness, const in GonioLobe lobe ) {
 
 ${cases(used, {
-    rect: 'gonio_rect_shade_ggx_ltc( area.to_center, area.axis, area.width_direction, area.width, area.height, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
-    disk: 'gonio_disk_shade_ggx_ltc( area.to_center, area.axis, area.width, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
-    sphere: 'gonio_sphere_shade_ggx_ltc( area.to_center, area.width, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
-    tube: 'gonio_tube_shade_ggx_ltc( area.to_center, area.axis, area.width, area.height, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
-  })}
+    rect: 'gonio_rect_shade_ggx_METHOD( area.to_center, area.axis, area.width_direction, area.width, area.height, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
+    disk: 'gonio_disk_shade_ggx_METHOD( area.to_center, area.axis, area.width, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
+    sphere: 'gonio_sphere_shade_ggx_METHOD( area.to_center, area.width, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
+    tube: 'gonio_tube_shade_ggx_METHOD( area.to_center, area.axis, area.width, area.height, normal, view, f0, f90, roughness, lobe.leaning, lobe.reflected )',
+  }).replaceAll('METHOD', method.replace('-', '_'))}
 	return vec3( 0.0 );
 
 }
@@ -164,11 +165,12 @@ function texture(text, format) {
 
 let before = null; // what init() replaced
 let compiled = new Set(); // the shapes in the chunks
+let method = usual_method; // of their highlights
 
 // The chunks with the code of these shapes alone: compilers work on what a scene does not use, too.
 function patch() {
   const { pars, begin } = before;
-  const added = functions(shapes.filter((shape) => compiled.has(shape)))
+  const added = functions(shapes.filter((shape) => compiled.has(shape)), method)
     .replaceAll('GONIO_DIFFUSE', pars.includes('diffuseContribution') ? 'diffuseContribution' : 'diffuseColor')
     .replaceAll('GONIO_F0', pars.includes('specularColorBlended') ? 'specularColorBlended' : 'specularColor');
   ShaderChunk.lights_physical_pars_fragment = pars.replace(anchors.lights_physical_pars_fragment[1], (line) => added + line);
@@ -183,11 +185,13 @@ export const GonioAreaLights = {
   /** Whether materials that are compiled now have these lights. */
   get isReady() { return before !== null; },
 
-  /** Patches three.js, before the first frame. `shapes` are compiled; a light of another shape adds its own. */
-  init({ shapes: wanted = ['rect'] } = {}) {
-    for (const shape of wanted) if (!shapes.includes(shape)) throw new Error(`gonio/three-area-lights: unknown shape '${shape}'; there are: ${shapes.join(', ')}`);
+  /** Patches three.js, before the first frame. `shapes` are compiled; a light of another shape adds its own. `method` is that of highlights. */
+  init({ shapes: wanted = ['rect'], method: asked = method } = {}) {
+    const known = (word, value, all) => { if (!all.includes(value)) throw new Error(`gonio/three-area-lights: unknown ${word} '${value}'; there are: ${all.join(', ')}`); };
+    for (const shape of wanted) known('shape', shape, shapes);
+    known('method', asked, Object.keys(glsl));
     const more = wanted.filter((shape) => !compiled.has(shape));
-    if (before && more.length === 0) return;
+    if (before && more.length === 0 && asked === method) return;
     if (!before) {
       checkAnchors();
       const tables = [texture(leaning, RGBAFormat), texture(reflected, RGFormat)];
@@ -201,10 +205,11 @@ export const GonioAreaLights = {
       // Else the renderer would take programs without these lights, or without a shape, for the same as those with them.
       const key = before.key;
       MeshStandardMaterial.prototype.customProgramCacheKey = function () {
-        return `${key.call(this)} gonio ${[...compiled].join()}`;
+        return `${key.call(this)} gonio ${method} ${[...compiled].join()}`;
       };
     }
     for (const shape of more) compiled.add(shape);
+    method = asked;
     patch();
   },
 
@@ -222,6 +227,7 @@ export const GonioAreaLights = {
     for (const table of before.tables) table.dispose();
     before = null;
     compiled = new Set();
+    method = usual_method;
   },
 };
 

@@ -17,7 +17,7 @@ const printed = areaLightData((words) => {
 const read = (text) => import(`data:text/javascript;base64,${Buffer.from(text).toString('base64')}`);
 const inPackage = await read(readFileSync('node_modules/gonio/area-light-data.mjs', 'utf8'));
 const expected = await read(printed);
-assert.equal(inPackage.glsl, expected.glsl);
+assert.deepEqual(inPackage.glsl, expected.glsl);
 assert.equal(inPackage.table_size, expected.table_size);
 // Albedos are quadratures: two C libraries may round one to neighbouring halves.
 for (const layer of ['leaning', 'reflected']) {
@@ -35,6 +35,10 @@ for (const light of [new DiskAreaLight('white', 1000, 0.5), new SphereAreaLight(
   assert.ok(Math.abs(light.power / (Math.PI * 1000 * light.area) - 1) < 1e-12);
 }
 assert.ok(GonioAreaLights.isReady && ShaderChunk.lights_fragment_begin !== chunk && UniformsLib.LTC_HALF_1.image.width === inPackage.table_size);
+assert.ok(!ShaderChunk.lights_physical_pars_fragment.includes('gonio_tube_shade_ggx_ltc('));
+GonioAreaLights.init({ method: 'ltc' });
+assert.ok(ShaderChunk.lights_physical_pars_fragment.includes('gonio_tube_shade_ggx_ltc(') && ShaderChunk.lights_physical_pars_fragment.includes('gonio_weight_5[5]'));
+assert.throws(() => GonioAreaLights.init({ method: 'lct' }), /unknown method 'lct'; there are: ltc, ltc-share/);
 GonioAreaLights.dispose();
 assert.ok(ShaderChunk.lights_fragment_begin === chunk && UniformsLib.LTC_HALF_1 === undefined);
 console.log(`area lights: ok with three.js r${REVISION}`);

@@ -23,7 +23,7 @@ function place(light) {
   light.lookAt(middle); // a light looks along its -z
 }
 
-// `kind`: 'own' (RectAreaLight as three.js has it) or 'gonio'.
+// `kind`: 'own' (RectAreaLight as three.js has it), 'gonio', or 'rows' (the package's lights with method 'ltc').
 export function sceneOf(shape, kind, roughness, metallic, base) {
   const scene = new THREE.Scene();
   const material = new THREE.MeshStandardMaterial({ color: new THREE.Color(base, base, base), roughness, metalness: metallic });
@@ -45,8 +45,8 @@ export function sceneOf(shape, kind, roughness, metallic, base) {
 let renderer = null;
 export function rendererOf(kind, shape) {
   GonioAreaLights.dispose();
-  if (kind === 'gonio') GonioAreaLights.init({ shapes: shape === 'all four' ? shapes : [shape] });
-  else RectAreaLightUniformsLib.init();
+  if (kind === 'own') RectAreaLightUniformsLib.init();
+  else GonioAreaLights.init({ shapes: shape === 'all four' ? shapes : [shape], method: kind === 'rows' ? 'ltc' : 'ltc-share' });
   renderer?.forceContextLoss();
   renderer?.dispose();
   renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });

@@ -2,10 +2,12 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/measure/specular_cases.hpp>
 #include <gonio/measure/specular_truth.hpp>
+#include <gonio/shading/anisotropic_lobe.hpp>
 #include <gonio/shading/brdf.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/specular_in_double.hpp>
+#include <gonio/shading/specular_ltc.hpp>
 #include <gonio/simd/dispatch.hpp>
 
 #include "../scaled.hpp"
