@@ -69,6 +69,7 @@ void Function::returns(Vector value) {
 }
 
 void Function::join_stages() {
+    graph.forget_assumptions(); // the choice is between both results
     NodeId value = stages.back().value;
     for (std::size_t i = stages.size() - 1; i > 0; --i)
         value = graph.select(stages[i - 1].condition, stages[i - 1].value, value);

@@ -134,6 +134,8 @@ public:
 
     // From here on, a mask is known: what is recorded with it is simplified.
     void assume(NodeId mask, bool value);
+    // From here on, no mask is.
+    void forget_assumptions() { assumed_.clear(); }
 
     bool is_constant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
     bool is_constant(NodeId id, double number) const { return is_constant(id) && nodes_[id].number == number; }

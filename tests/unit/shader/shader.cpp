@@ -135,6 +135,8 @@ TEST(ShaderGraph, KnowsWhatIsAssumed) {
     EXPECT_EQ(graph.select(graph.binary(Operation::less, x, y), x, y), y);
     EXPECT_EQ(graph.select(graph.binary(Operation::equal, x, y), x, y), x);
     EXPECT_EQ(graph[choice].operation, Operation::select) << "what was recorded before stays";
+    graph.forget_assumptions();
+    EXPECT_EQ(graph.select(less, x, y), choice);
 }
 
 TEST(ShaderFormulas, HaveNamesOfTheirOwn) {
