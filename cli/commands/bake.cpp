@@ -125,8 +125,8 @@ const Command bake_command{
     "\n"
     "--table takes no FILE. OUT ends in .exr, .dds, .raw, .bin, .h, .hpp or .json. The size is 32\n"
     "texels a side, or 10 terms, unless -s says so; pixels are float unless --pixel says so, and\n"
-    "integers go over the range of each channel. The sidecar has the axes, the lookup in GLSL and\n"
-    "HLSL, and its error against quadrature.",
+    "integers go over the range of each channel. The sidecar has the axes, the lookup in GLSL, HLSL,\n"
+    "MSL and WGSL, and its error against quadrature.",
     groups,
     examples,
     run};

@@ -1,6 +1,7 @@
 // Runs the lookups that `gonio bake --table` prints at the places on stdin, "n_dot_v roughness" a line: the C header's
-// (HEADER), and those in GLSL and HLSL (GLSL, HLSL), which are C++ but for the names below. Prints the members of the
-// result. TEXELS is a file of floats: layers of HEIGHT x WIDTH texels with four components each.
+// (HEADER), and those in shading languages (SOURCE), which are C++ but for the names below and for what reread.py
+// replaces. Prints the members of the result. TEXELS is a file of floats: layers of HEIGHT x WIDTH texels with four
+// components each.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -77,6 +78,29 @@ struct Texture2DArray {
         return texels.at(at.x, at.y, static_cast<std::size_t>(at.z));
     }
 };
+// MSL.
+struct sampler {};
+struct level {
+    explicit level(double) {}
+};
+template<class>
+struct texture2d {
+    float4 sample(sampler, float2 at, level) const { return texels.at(at.x, at.y, 0); }
+};
+template<class>
+struct texture2d_array {
+    float4 sample(sampler, float2 at, std::size_t layer, level) const { return texels.at(at.x, at.y, layer); }
+};
+#define constant static const
+// WGSL.
+using texture_2d = texture2d<float>;
+using texture_2d_array = texture2d_array<float>;
+[[maybe_unused]] static vec4 textureSampleLevel(texture_2d, sampler, vec2 at, double) {
+    return texels.at(at.x, at.y, 0);
+}
+[[maybe_unused]] static vec4 textureSampleLevel(texture_2d_array, sampler, vec2 at, std::size_t layer, double) {
+    return texels.at(at.x, at.y, layer);
+}
 #include SOURCE
 #endif
 

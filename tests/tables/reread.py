@@ -1,5 +1,5 @@
 """Reads the tables that `gonio bake --table` writes with nothing of gonio: the bytes of each format by its
-specification, and the lookups that it prints, compiled (GLSL and HLSL as C++, and by glslang if that is installed). Each is compared with the description in
+specification, and the lookups that it prints, compiled (those of shading languages as C++; GLSL and HLSL also by glslang if that is installed). Each is compared with the description in
 the sidecar.
 
     reread.py GONIO C-COMPILER C++-COMPILER SOURCE-FOLDER
@@ -8,6 +8,7 @@ the sidecar.
 import json
 import math
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -181,6 +182,21 @@ def compile_shader(folder, side, language):
         assert done.returncode == 0, done.stdout
 
 
+def as_cpp(wgsl):
+    """The few words of WGSL that lookups have, in C++. tests/shader/run.sh has WGSL's own compiler check it."""
+    types = {"f32": "float", "i32": "int"}
+    text = re.sub(r"const (\w+) = array<f32, (\d+)>\(([^)]*)\);", r"static const float \1[\2] = {\3};", wgsl)
+    text = re.sub(r"fn (\w+)\(([^{]*)\) -> (\w+) \{", lambda m: f"{types.get(m[3], m[3])} {m[1]}({m[2]}) {{", text)
+    text = text.replace("texture_2d_array<f32>", "texture_2d_array").replace("texture_2d<f32>", "texture_2d").replace("vec2<f32>", "vec2")
+    text = re.sub(r"^    (\w+): f32,$", r"    float \1;", text, flags=re.M)  # of a structure
+    text = text.replace("\n}\n", "\n};\n", 1)
+    text = re.sub(r"(\w+): (f32|i32|sampler|texture_2d_array|texture_2d)\b", lambda m: f"{types.get(m[2], m[2])} {m[1]}", text)
+    text = re.sub(r"var (\w+): (\w+);", r"\2 \1;", text)
+    text = re.sub(r"let (layer\d) =", r"vec4 \1 =", text)
+    text = text.replace("let first =", "int first =").replace("var k =", "int k =")
+    return re.sub(r"\b(let|var) (\w+) =", r"float \2 =", text)
+
+
 def check(folder, options):
     name = os.path.join(folder, "table")
     bake([*options], name + ".json")
@@ -230,16 +246,23 @@ def check(folder, options):
                 four = layer[texel * channels : (texel + 1) * channels] + [0.0] * (4 - channels)
                 file.write(struct.pack("<4f", *four))
     array = "Array" if len(side["layers"]) > 1 else ""
-    for language in ("glsl", "hlsl"):
+    textures = {
+        "glsl": f"sampler2D{array}(), ",
+        "hlsl": f"Texture2D{array}<float4>(), SamplerState(), ",
+        "msl": f"texture2d{array and '_array'}<float>(), sampler(), ",
+        "wgsl": f"texture_2d{array and '_array'}(), sampler(), ",
+    }
+    for language in ("glsl", "hlsl", "msl", "wgsl"):
         source = side["lookup"][language]
+        first = textures[language]
         if side["form"] == "chebyshev":
             count = len(side["values"])
             source = source.replace(f"= float[{count}](", "= {").replace(");\nfloat", "};\nfloat")
             first = ""
-        elif language == "glsl":
-            first = f"sampler2D{array}(), "
-        else:
-            first = f"Texture2D{array}<float4>(), SamplerState(), "
+        if language == "msl":
+            source = source.replace("#include <metal_stdlib>\nusing namespace metal;\n", "")
+        if language == "wgsl":
+            source = as_cpp(source)
         with open(name + "." + language, "w", encoding="utf-8") as file:
             file.write(source)
         subprocess.run(
@@ -247,7 +270,8 @@ def check(folder, options):
              f"-DHEIGHT={side['height']}", f"-DLOOKUP={lookup}({first}n_dot_v, roughness)"],
             check=True,
         )
-        compile_shader(folder, side, language)
+        if language in ("glsl", "hlsl"):
+            compile_shader(folder, side, language)
         compare(f"{title}: {language.upper()}", run([program, name + ".texels"], POSES), wanted)
 
 

@@ -19,6 +19,7 @@ struct Words {
     [[nodiscard]] const ShadingTable& table() const { return stored.table; }
     [[nodiscard]] const TableInfo& info() const { return info_of(table().kind); }
     [[nodiscard]] bool in_c() const { return language == TableLanguage::c; }
+    [[nodiscard]] bool in_wgsl() const { return language == TableLanguage::wgsl; }
     [[nodiscard]] std::string prefix() const {
         std::string name(info().name);
         std::replace(name.begin(), name.end(), '-', '_');
@@ -38,7 +39,27 @@ struct Words {
     [[nodiscard]] std::string number(double value) const {
         std::string text = fmt::format("{}", static_cast<float>(value));
         if (text.find_first_of(".e") == std::string::npos) text += ".0";
-        return in_c() ? text + "f" : text;
+        return in_c() || language == TableLanguage::msl ? text + "f" : text;
+    }
+    // The declaration of a number that stays as it is, or of one that changes.
+    [[nodiscard]] std::string constant(std::string_view name) const {
+        return fmt::format("{} {}", in_wgsl() ? "let" : "float", name);
+    }
+    [[nodiscard]] std::string variable(std::string_view name) const {
+        return fmt::format("{} {}", in_wgsl() ? "var" : "float", name);
+    }
+    // A parameter or, with what follows it, a member of a structure.
+    [[nodiscard]] std::string number_named(std::string_view name) const {
+        return in_wgsl() ? fmt::format("{}: f32", name) : fmt::format("float {}", name);
+    }
+    [[nodiscard]] std::string integer_named(std::string_view name) const {
+        return in_wgsl() ? fmt::format("{}: i32", name) : fmt::format("int {}", name);
+    }
+    // "float NAME(PARAMETERS) {"
+    [[nodiscard]] std::string opening(std::string_view before, std::string_view type, std::string_view name,
+                                      std::string_view parameters) const {
+        return in_wgsl() ? fmt::format("fn {}({}) -> {} {{\n", name, parameters, type)
+                         : fmt::format("{}{} {}({}) {{\n", before, type, name, parameters);
     }
     // "sqrt", in C "sqrtf"
     [[nodiscard]] std::string function(std::string_view name) const {
@@ -49,7 +70,9 @@ struct Words {
     [[nodiscard]] std::string within(std::string_view value) const {
         return fmt::format("{}({}({}, {}), {})", function("min"), function("max"), value, number(0.0), number(1.0));
     }
-    [[nodiscard]] std::string qualifier() const { return in_c() ? "static inline struct " : ""; }
+    [[nodiscard]] std::string qualifier() const {
+        return in_c() ? "static inline " : (language == TableLanguage::msl ? "inline " : "");
+    }
 };
 
 std::string comment(const Words& words) {
@@ -83,14 +106,23 @@ std::string comment(const Words& words) {
 
 std::string structure(const Words& words) {
     std::string text = fmt::format("struct {} {{\n", words.structure());
+    const auto member = [&](std::string_view name) {
+        text += fmt::format("    {}{}\n", words.number_named(name), words.in_wgsl() ? "," : ";");
+    };
     if (words.info().is_lobe()) {
-        text += "    float m00, m02, m11, m20, m22;\n    float mass;\n    float albedo;\n";
-        if (words.table().kind == TableKind::ltc_ggx) text += "    float grazing;\n";
+        if (words.in_wgsl())
+            for (const std::string_view name : {"m00", "m02", "m11", "m20", "m22"})
+                member(name);
+        else
+            text += "    float m00, m02, m11, m20, m22;\n";
+        member("mass");
+        member("albedo");
+        if (words.table().kind == TableKind::ltc_ggx) member("grazing");
     } else {
         for (const TableChannel& channel : words.info().channels)
-            text += fmt::format("    float {};\n", channel.name);
+            member(channel.name);
     }
-    return text + "};\n";
+    return text + (words.in_wgsl() ? "}\n" : "};\n");
 }
 
 // The numbers of the table in a list, some in a line.
@@ -111,36 +143,50 @@ std::string series(const Words& words) {
         listed(count, 6, [&](std::size_t i) { return words.number(static_cast<double>(table.values[i])); });
     const std::string zero = words.number(0.0);
     const std::string two = words.number(2.0);
-    const char* const local = words.in_c() ? "static inline " : "";
+    const std::string name = words.prefix();
     std::string text;
-    if (words.language == TableLanguage::glsl)
-        text = fmt::format("const float {0}_terms[{1}] = float[{1}](\n{2});\n", words.prefix(), count, numbers);
-    else
-        text = fmt::format("static const float {}_terms[{}] = {{\n{}}};\n", words.prefix(), count, numbers);
-    text += fmt::format("{local}float {name}_row(int row, int channel, float x) {{\n"
-                        "    int first = row * {width} * {channels} + channel;\n"
-                        "    float one = {zero};\n"
-                        "    float before = {zero};\n"
-                        "    for (int k = {last_column}; k > 0; --k) {{\n"
-                        "        float next = {two} * x * one - before + {name}_terms[first + k * {channels}];\n"
-                        "        before = one;\n"
-                        "        one = next;\n"
-                        "    }}\n"
-                        "    return x * one - before + {name}_terms[first];\n"
-                        "}}\n"
-                        "{local}float {name}_series(int channel, float x, float y) {{\n"
-                        "    float one = {zero};\n"
-                        "    float before = {zero};\n"
-                        "    for (int k = {last_row}; k > 0; --k) {{\n"
-                        "        float next = {two} * y * one - before + {name}_row(k, channel, x);\n"
-                        "        before = one;\n"
-                        "        one = next;\n"
-                        "    }}\n"
-                        "    return y * one - before + {name}_row(0, channel, x);\n"
-                        "}}\n",
-                        fmt::arg("local", local), fmt::arg("name", words.prefix()), fmt::arg("width", table.width),
-                        fmt::arg("channels", table.channels()), fmt::arg("zero", zero), fmt::arg("two", two),
-                        fmt::arg("last_column", table.width - 1), fmt::arg("last_row", table.height - 1));
+    switch (words.language) {
+    case TableLanguage::glsl:
+        text = fmt::format("const float {0}_terms[{1}] = float[{1}](\n{2});\n", name, count, numbers);
+        break;
+    case TableLanguage::wgsl:
+        text = fmt::format("const {}_terms = array<f32, {}>(\n{});\n", name, count, numbers);
+        break;
+    case TableLanguage::hlsl:
+    case TableLanguage::msl:
+    case TableLanguage::c:
+        text = fmt::format("{} float {}_terms[{}] = {{\n{}}};\n",
+                           words.language == TableLanguage::msl ? "constant" : "static const", name, count, numbers);
+        break;
+    }
+    const std::string_view real = words.in_wgsl() ? "f32" : "float";
+    // The sum Σ c_k T_k(AT) down from the last term; TERM is c_k.
+    const auto sum = [&](std::string_view at, int last, std::string_view term) {
+        return fmt::format("    {one} = {zero};\n"
+                           "    {before} = {zero};\n"
+                           "    for ({k} = {last}; k > 0; {down}) {{\n"
+                           "        {next} = {two} * {at} * one - before + {term};\n"
+                           "        before = one;\n"
+                           "        one = next;\n"
+                           "    }}\n",
+                           fmt::arg("one", words.variable("one")), fmt::arg("before", words.variable("before")),
+                           fmt::arg("next", words.constant("next")), fmt::arg("zero", zero), fmt::arg("two", two),
+                           fmt::arg("k", words.in_wgsl() ? "var k" : "int k"),
+                           fmt::arg("down", words.in_wgsl() ? "k--" : "--k"), fmt::arg("last", last),
+                           fmt::arg("at", at), fmt::arg("term", term));
+    };
+    text += words.opening(
+        words.qualifier(), real, name + "_row",
+        fmt::format("{}, {}, {}", words.integer_named("row"), words.integer_named("channel"), words.number_named("x")));
+    text += fmt::format("    {} first = row * {} * {} + channel;\n", words.in_wgsl() ? "let" : "int", table.width,
+                        table.channels());
+    text += sum("x", table.width - 1, fmt::format("{}_terms[first + k * {}]", name, table.channels()));
+    text += fmt::format("    return x * one - before + {}_terms[first];\n}}\n", name);
+    text += words.opening(
+        words.qualifier(), real, name + "_series",
+        fmt::format("{}, {}, {}", words.integer_named("channel"), words.number_named("x"), words.number_named("y")));
+    text += sum("y", table.height - 1, fmt::format("{}_row(k, channel, x)", name));
+    text += fmt::format("    return y * one - before + {}_row(0, channel, x);\n}}\n", name);
     return text;
 }
 
@@ -157,6 +203,28 @@ std::string place(const Words& words, std::string_view at, int count) {
     return fmt::format("{} * {}", at, words.number(count - 1.0));
 }
 
+// Declares the four numbers of a layer at the coordinates u and v.
+std::string texel(const Words& words, std::size_t layer, bool array, std::string_view u, std::string_view v) {
+    const std::string third = array ? fmt::format(", {}", words.number(static_cast<double>(layer))) : "";
+    const std::string whole = array ? fmt::format(", {}", layer) : "";
+    switch (words.language) {
+    case TableLanguage::glsl:
+        return fmt::format("    vec4 layer{} = texture(table, vec{}({}, {}{}));\n", layer, array ? 3 : 2, u, v, third);
+    case TableLanguage::hlsl:
+        return fmt::format("    float4 layer{} = table.SampleLevel(held, float{}({}, {}{}), 0.0);\n", layer,
+                           array ? 3 : 2, u, v, third);
+    case TableLanguage::msl:
+        return fmt::format("    float4 layer{} = table.sample(held, float2({}, {}){}, level(0.0f));\n", layer, u, v,
+                           whole);
+    case TableLanguage::wgsl:
+        return fmt::format("    let layer{} = textureSampleLevel(table, held, vec2<f32>({}, {}){}, 0.0);\n", layer, u,
+                           v, whole);
+    case TableLanguage::c:
+        break;
+    }
+    return {};
+}
+
 // Declares a float for each channel, from the coordinates x and y of the axes.
 std::string fetch(const Words& words) {
     const std::span<const TableChannel> channels = words.info().channels;
@@ -165,31 +233,27 @@ std::string fetch(const Words& words) {
     if (table.form == TableForm::chebyshev || words.in_c()) {
         const bool polynomial = table.form == TableForm::chebyshev;
         for (std::size_t c = 0; c < channels.size(); ++c)
-            text += polynomial ? fmt::format("    float {} = {}_series({}, {} * x - {}, {} * y - {});\n",
-                                             channels[c].name, words.prefix(), c, words.number(2.0), words.number(1.0),
-                                             words.number(2.0), words.number(1.0))
-                               : fmt::format("    float {} = {}_at({}, {}, {});\n", channels[c].name, words.prefix(),
-                                             place(words, "x", table.width), place(words, "y", table.height), c);
+            text += polynomial
+                        ? fmt::format("    {} = {}_series({}, {} * x - {}, {} * y - {});\n",
+                                      words.constant(channels[c].name), words.prefix(), c, words.number(2.0),
+                                      words.number(1.0), words.number(2.0), words.number(1.0))
+                        : fmt::format("    {} = {}_at({}, {}, {});\n", words.constant(channels[c].name), words.prefix(),
+                                      place(words, "x", table.width), place(words, "y", table.height), c);
         return text;
     }
-    const bool glsl = words.language == TableLanguage::glsl;
     const std::string u = coordinate(words, "x", table.width);
     const std::string v = coordinate(words, "y", table.height);
     const bool array = words.stored.layers.size() > 1;
     std::size_t channel = 0;
     for (std::size_t layer = 0; layer < words.stored.layers.size(); ++layer) {
-        const std::string third = array ? fmt::format(", {}", words.number(static_cast<double>(layer))) : "";
-        const char* const size = array ? "3" : "2";
-        text += glsl ? fmt::format("    vec4 layer{} = texture(table, vec{}({}, {}{}));\n", layer, size, u, v, third)
-                     : fmt::format("    float4 layer{} = table.SampleLevel(held, float{}({}, {}{}), 0.0);\n", layer,
-                                   size, u, v, third);
+        text += texel(words, layer, array, u, v);
         for (std::size_t c = 0; c < words.stored.layers[layer]; ++c, ++channel) {
             const ChannelRange range = words.stored.ranges[channel];
             const std::string read = fmt::format("layer{}.{}", layer, std::string_view("xyzw").substr(c, 1));
             text += info_of(words.stored.pixel).steps > 0.0
-                        ? fmt::format("    float {} = {} * {} + {};\n", channels[channel].name, read,
+                        ? fmt::format("    {} = {} * {} + {};\n", words.constant(channels[channel].name), read,
                                       words.number(range.scale), words.number(range.offset))
-                        : fmt::format("    float {} = {};\n", channels[channel].name, read);
+                        : fmt::format("    {} = {};\n", words.constant(channels[channel].name), read);
         }
     }
     return text;
@@ -198,21 +262,35 @@ std::string fetch(const Words& words) {
 std::string parameters(const Words& words) {
     const bool polynomial = words.table().form == TableForm::chebyshev;
     if (polynomial || words.in_c()) return "";
-    const char* const array = words.stored.layers.size() > 1 ? "Array" : "";
-    if (words.language == TableLanguage::glsl) return fmt::format("highp sampler2D{} table, ", array);
-    return fmt::format("Texture2D{}<float4> table, SamplerState held, ", array);
+    const bool array = words.stored.layers.size() > 1;
+    switch (words.language) {
+    case TableLanguage::glsl:
+        return fmt::format("highp sampler2D{} table, ", array ? "Array" : "");
+    case TableLanguage::hlsl:
+        return fmt::format("Texture2D{}<float4> table, SamplerState held, ", array ? "Array" : "");
+    case TableLanguage::msl:
+        return fmt::format("texture2d{}<float> table, sampler held, ", array ? "_array" : "");
+    case TableLanguage::wgsl:
+        return fmt::format("table: texture_2d{}<f32>, held: sampler, ", array ? "_array" : "");
+    case TableLanguage::c:
+        break;
+    }
+    return "";
 }
 
 std::string lookup(const Words& words) {
     const bool linear = words.table().axes == TableAxes::linear;
-    std::string text = fmt::format("{}{} {}_lookup({}float n_dot_v, float roughness) {{\n", words.qualifier(),
-                                   words.structure(), words.prefix(), parameters(words));
+    std::string text = words.opening(
+        words.in_c() ? "static inline struct " : words.qualifier(), words.structure(), words.prefix() + "_lookup",
+        fmt::format("{}{}, {}", parameters(words), words.number_named("n_dot_v"), words.number_named("roughness")));
     const bool lobe = words.info().is_lobe();
-    text += fmt::format("    float mu = {};\n", words.within("n_dot_v"));
-    text += linear ? "    float x = mu;\n" : fmt::format("    float x = {}(mu);\n", words.function("sqrt"));
-    text += fmt::format("    float y = {};\n", words.within("roughness"));
+    text += fmt::format("    {} = {};\n", words.constant("mu"), words.within("n_dot_v"));
+    text += linear ? fmt::format("    {} = mu;\n", words.constant("x"))
+                   : fmt::format("    {} = {}(mu);\n", words.constant("x"), words.function("sqrt"));
+    text += fmt::format("    {} = {};\n", words.constant("y"), words.within("roughness"));
     text += fetch(words);
-    text += fmt::format("    {}{} result;\n", words.in_c() ? "struct " : "", words.structure());
+    text += words.in_wgsl() ? fmt::format("    var result: {};\n", words.structure())
+                            : fmt::format("    {}{} result;\n", words.in_c() ? "struct " : "", words.structure());
     if (!lobe) {
         for (const TableChannel& channel : words.info().channels)
             text += fmt::format("    result.{0} = {0};\n", channel.name);
@@ -220,9 +298,10 @@ std::string lookup(const Words& words) {
     }
     const std::string one = words.number(1.0);
     const bool specular = words.table().kind == TableKind::ltc_ggx;
-    text += fmt::format("    float s = {}(({} - mu) * ({} + mu));\n", words.function("sqrt"), one, one);
-    text += specular ? fmt::format("    float width = {}(y * y, {});\n", words.function("max"), words.number(1e-4))
-                     : fmt::format("    float width = {};\n", one);
+    text += fmt::format("    {} = {}(({} - mu) * ({} + mu));\n", words.constant("s"), words.function("sqrt"), one, one);
+    text += specular ? fmt::format("    {} = {}(y * y, {});\n", words.constant("width"), words.function("max"),
+                                   words.number(1e-4))
+                     : fmt::format("    {} = {};\n", words.constant("width"), one);
     text += fmt::format("    result.m00 = {}(along * mu + raised * s * s, {});\n"
                         "    result.m02 = (raised * mu - along) * s;\n"
                         "    result.m11 = across;\n"
@@ -355,7 +434,8 @@ std::string rows_in_words(const ShadingTable& table) {
 
 std::string table_lookup(const StoredTable& stored, TableLanguage language) {
     const Words words{stored, language};
-    std::string text = structure(words) + "\n";
+    std::string text = language == TableLanguage::msl ? "#include <metal_stdlib>\nusing namespace metal;\n\n" : "";
+    text += structure(words) + "\n";
     if (stored.table.form == TableForm::chebyshev) text += series(words) + "\n";
     return text + comment(words) + lookup(words);
 }

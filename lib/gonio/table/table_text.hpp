@@ -1,4 +1,4 @@
-// A stored table in words of programs: its lookup in GLSL and HLSL, and the table with its lookup as a C header.
+// A stored table in words of programs: its lookup in shading languages, and the table with its lookup as a C header.
 //
 // The lookups compute what ShadingTable::lookup() and lobe_of() do, in float. They need nothing but the texture, with
 // bilinear filtering and coordinates clamped to its edge; of a polynomial nothing at all.
@@ -11,7 +11,7 @@
 
 namespace gonio {
 
-enum class TableLanguage : std::uint8_t { glsl, hlsl, c };
+enum class TableLanguage : std::uint8_t { glsl, hlsl, msl, wgsl, c };
 
 // The function NAME_lookup(…, n_dot_v, roughness), with the structure that it returns. In C the data is a part of
 // table_header(), which the function reads.
