@@ -179,7 +179,13 @@ TEST_P(ShaderErrors, AreAsStated) {
         EXPECT_LE(formula.error.apart, 1e-5) << "the error bound of the core in float";
     }
     if (test::is_sanitized) return; // few poses are not near the worst, and say nothing about shares of them
-    EXPECT_GE(std::max(worst[0], worst[1]), 0.2 * std::max(formula.error.apart, formula.error.near));
+    // Which poses change to the other side of a flat light's plane, each compiler decides.
+    const bool may_change_sides =
+        formula.names.method.starts_with("ltc") && (formula.names.light == "disk" || formula.names.light == "rect");
+    if (may_change_sides)
+        EXPECT_GE(worst[0], 0.2 * formula.error.apart);
+    else
+        EXPECT_GE(std::max(worst[0], worst[1]), 0.2 * std::max(formula.error.apart, formula.error.near));
     if (formula.names.method.starts_with("ltc")) { // as the README of the room says: few poses are near the worst
         for (std::vector<double>* const all : {&errors, &errors_in_double}) {
             std::nth_element(all->begin(), all->begin() + 9900, all->end());
