@@ -86,7 +86,7 @@ struct Grain {
     core::AnisotropicAlpha<S> alphas;
     explicit Grain(Function& f)
         : tangent(f.unit("tangent", "unit, across the normal: the direction of alpha_along")),
-          alphas{alpha(f, "alpha_along", "[1e-4, 1.5] along the tangent: OpenPBR, KHR_materials_anisotropy"),
+          alphas{alpha(f, "alpha_along", "[1e-4, 1.5] along the tangent"),
                  alpha(f, "alpha_across", "[1e-4, 1.5] across it")} {}
 
 private:
