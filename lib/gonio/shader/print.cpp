@@ -123,7 +123,8 @@ public:
         for (char letter = 'b';
              std::any_of(all_.begin(), all_.end(), [&](const Table& each) { return each.name == name; }); ++letter)
             name = stem + letter;
-        return all_.emplace_back(std::move(name), column.numbers).name;
+        all_.push_back({std::move(name), column.numbers});
+        return all_.back().name;
     }
     std::string print(const Words& words) const {
         std::string text;

@@ -30,9 +30,7 @@ inline constexpr std::array<std::string_view, 0> column_names{};
 template<>
 inline constexpr std::array<std::string_view, 3> column_names<shading::detail::RulePointOf>{"x", "y", "weight"};
 template<>
-inline constexpr std::array<std::string_view, 13> column_names<shading::detail::AnglePairOf>{
-    "weight",  "sine0",   "sine1",   "sine2",   "sine3",   "sine4",  "sine5",
-    "cosine0", "cosine1", "cosine2", "cosine3", "cosine4", "cosine5"};
+inline constexpr std::array<std::string_view, 2> column_names<shading::detail::AnglePairOf>{"weight", "angle"};
 
 } // namespace gonio::shader
 

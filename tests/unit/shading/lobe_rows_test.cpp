@@ -27,14 +27,15 @@ namespace measure = gonio::measure;
 
 constexpr double pi = std::numbers::pi;
 
-// Both points of a pair lie at ±at of half the angle, within the polynomials' 3e-4 of a half turn, and directions are
-// as near to unit.
+// Both points of a pair lie at ±at of half the angle, within the 4e-5 of its own polynomial, and directions are nearly
+// unit.
 TEST(LobeRows, AFanDividesAnglesByTheRule) {
     struct Pair {
         const AnglePair& pair;
         double at;
     };
     const Pair pairs[] = {
+        // the nodes, with all their digits
         {LobeRule<double>::four[0], 0.33998104358485626}, {LobeRule<double>::four[1], 0.86113631159405258},
         {LobeRule<double>::six[0], 0.23861918608319691},  {LobeRule<double>::six[1], 0.66120938646626451},
         {LobeRule<double>::six[2], 0.93246951420315203},  {LobeRule<double>::five[0], 0.53846931010568309},
@@ -50,7 +51,8 @@ TEST(LobeRows, AFanDividesAnglesByTheRule) {
                 fan.for_both(each.pair, [&](vec2<double> at, double weight) {
                     const double expected = from + 0.5 * whole * (1.0 + (side++ == 0 ? -each.at : each.at));
                     const vec2<double> off = at - unit(expected);
-                    EXPECT_LT(std::sqrt(dot(off, off)), 4e-4 * whole / pi) << whole << ' ' << each.at;
+                    EXPECT_LT(std::sqrt(dot(off, off)), 5e-5 * whole) << whole << ' ' << each.at;
+                    EXPECT_NEAR(dot(at, at), 1.0, 1e-5) << whole << ' ' << each.at;
                     weights += weight;
                 });
                 EXPECT_NEAR(weights, whole * static_cast<double>(each.pair.weight), 1e-4 * whole);
