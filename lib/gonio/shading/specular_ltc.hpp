@@ -101,9 +101,9 @@ GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe
         PointSums<S> sums;
         sum_gathered<which>(gathered, lobe, cosine, v, sums);
         return sums;
-    }
+    } else
 #endif
-    return point_sums<which>(points, lobe, cosine, v);
+        return point_sums<which>(points, lobe, cosine, v);
 }
 
 // What a receiver sees of a light, in the frame of its lobe.
