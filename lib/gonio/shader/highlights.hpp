@@ -13,6 +13,11 @@
 
 namespace gonio::shader {
 
+// Per luminance of the light.
+inline Vector luminance(Vector f0, S f90, const core::SpecularLuminance<S>& found) {
+    return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
+}
+
 // GGX under an area light by linearly transformed cosines, with the numbers of the cosine as parameters, which come
 // from a table (`gonio bake --table ltc-ggx`).
 template<class Light>
@@ -44,9 +49,7 @@ struct CosineHighlight {
     auto pose() const {
         return core::detail::lobe_pose(light.as_light(), light.to_center, light.normal, view, cosine_of());
     }
-    Vector luminance(const core::SpecularLuminance<S>& found) const {
-        return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
-    }
+    Vector luminance(const core::SpecularLuminance<S>& found) const { return shader::luminance(f0, f90, found); }
 };
 
 template<class Pose>
@@ -150,9 +153,8 @@ void highlight_anisotropic(Function& f) {
                                                       reflected.z, even_alpha, mu, sine),
                               even_alpha);
     };
-    rows_stages(f, light, view, lobe, cosine_of, [&](const core::SpecularLuminance<S>& found) {
-        return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
-    });
+    rows_stages(f, light, view, lobe, cosine_of,
+                [&](const core::SpecularLuminance<S>& found) { return luminance(f0, f90, found); });
 }
 inline void anisotropic_roughness(Function& f) {
     const Vector normal = f.unit("normal", "unit, the receiver's");

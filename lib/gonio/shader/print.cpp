@@ -114,7 +114,7 @@ std::string number_text(double value, const Words& words) {
 // The tables that loops read, in the order in which functions ask for them: equal ones once.
 class Tables {
 public:
-    const std::string& name_of(const Column& column) {
+    std::string name_of(const Column& column) {
         const auto known =
             std::find_if(all_.begin(), all_.end(), [&](const Table& each) { return each.numbers == column.numbers; });
         if (known != all_.end()) return known->name;
@@ -131,20 +131,21 @@ public:
         const std::string_view type = words.types[static_cast<std::size_t>(Type::scalar)];
         for (const Table& table : all_) {
             const std::size_t size = table.numbers.size();
+            std::string line = std::string(words.before_table) + " ";
             switch (words.language) {
             case ShaderLanguage::wgsl:
-                text += list(fmt::format("const {} = array<f32, {}>(", table.name, size), table, ");", words);
+                line += fmt::format("{} = array<f32, {}>(", table.name, size);
                 break;
             case ShaderLanguage::glsl_es300:
             case ShaderLanguage::glsl450:
-                text += list(fmt::format("const {0} {1}[{2}] = {0}[{2}](", type, table.name, size), table, ");", words);
+                line += fmt::format("{0} {1}[{2}] = {0}[{2}](", type, table.name, size);
                 break;
             case ShaderLanguage::hlsl:
             case ShaderLanguage::msl:
-                text += list(fmt::format("{} {} {}[{}] = {{", words.before_table, type, table.name, size), table, "};",
-                             words);
+                line += fmt::format("{} {}[{}] = {{", type, table.name, size);
                 break;
             }
+            text += listed(line, table, line.back() == '{' ? "};" : ");", words);
         }
         return text;
     }
@@ -154,7 +155,7 @@ private:
         std::string name;
         std::vector<double> numbers;
     };
-    static std::string list(std::string line, const Table& table, std::string_view end, const Words& words) {
+    static std::string listed(std::string line, const Table& table, std::string_view end, const Words& words) {
         std::string lines;
         const std::size_t size = table.numbers.size();
         for (std::size_t i = 0; i < size; ++i) {
