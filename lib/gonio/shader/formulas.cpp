@@ -848,7 +848,7 @@ constexpr std::array all{
     ltc_row("disk", "ltc", "ggx", "disk_shade_ggx_ltc", "A GGX surface under a uniform one-sided disk.", by_rows,
             {2e-2, 2e-1}, highlight_ltc<Disk>),
     ltc_row("rect", "ltc", "ggx", "rect_shade_ggx_ltc", "A GGX surface under a uniform one-sided rectangle.", by_rows,
-            {2e-5, 1}, highlight_ltc<Rectangle>),
+            {5e-5, 1}, highlight_ltc<Rectangle>),
     ltc_row("tube", "ltc", "ggx", "tube_shade_ggx_ltc", "A GGX surface under a uniform tube.", by_rows, {2e-4, 3e-4},
             highlight_ltc<Tube>),
     ltc_row("sphere", "ltc-share", "ggx", "sphere_shade_ggx_ltc_share", "A GGX surface under a uniform sphere.",
