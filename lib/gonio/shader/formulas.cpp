@@ -1,3 +1,5 @@
+// Every formula runs once here, to be recorded: the core's functions are called, since inlined they are twice as large.
+#define GONIO_INLINE_BY_SIZE
 #include <gonio/shader/formulas.hpp>
 #include <gonio/shader/highlights.hpp>
 #include <gonio/shader/parameters.hpp>
