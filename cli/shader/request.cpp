@@ -139,7 +139,8 @@ std::vector<std::string_view> shader_values(std::string_view ShaderFormula::*par
 
 std::string shader_options_of(const ShaderFormula& formula) {
     std::string text;
-    if (formula.what == "sample" || formula.what == "pdf" || formula.what == "roughness") text = fmt::format("--what {}", formula.what);
+    if (formula.what == "sample" || formula.what == "pdf" || formula.what == "roughness")
+        text = fmt::format("--what {}", formula.what);
     for (const Part& part : parts) {
         const std::string_view value = formula.*part.member;
         if (value.empty()) continue;
