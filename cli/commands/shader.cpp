@@ -15,12 +15,11 @@ namespace {
 
 constexpr std::array formula_options{
     Option{"--light", "LIGHT,…", "sphere, disk, rect, tube, sun, point, spot", "shader-lights"},
-    Option{"--method", "METHOD,…",
-           "exact, frostbite, ue4, point, ltc, …; a window of point, a lobe of spot (exact, none, frostbite)",
+    Option{"--method", "METHOD,…", "exact, frostbite, ue4, point, ltc, ltc-share; a window of point, a lobe of spot",
            "shader-methods"},
     Option{"--material", "MATERIAL,…", "its BRDF; with --light, what it reflects of that light", "shader-materials"},
     Option{"--shadow-of", "SHAPE,…", "what a sphere or capsule leaves of a uniform sky"},
-    Option{"--what", "WHAT,…", "irradiance, brdf, sample, pdf, shade, visibility (by the options above)"},
+    Option{"--what", "WHAT,…", "irradiance, brdf, sample, pdf, shade, roughness, visibility (by the options above)"},
 };
 constexpr std::array text_options{
     Option{"--lang", "LANG", "glsl-es300, glsl450, hlsl, msl, wgsl (glsl450)", "shader-langs"},

@@ -13,8 +13,8 @@ export const GonioAreaLights: {
   readonly isReady: boolean;
   /**
    * Patches three.js, before the first frame. `shapes` are those to compile, 'rect' by default; a light of another shape adds
-   * its own. `method` is that of the highlights: 'ltc-share', or 'ltc', which is more accurate and takes longer; a change needs
-   * `needsUpdate` of materials. Throws an Error that names the line if this release of three.js lacks a line that is patched.
+   * its own. `method` is that of the highlights: 'ltc-share', the usual one, or 'ltc', which is more accurate and takes longer. Without
+   * it the method stays; a change needs `needsUpdate` of materials. Throws an Error that names the line if this release of three.js lacks a line that is patched.
    */
   init(options?: { shapes?: AreaLightShape[]; method?: AreaLightMethod }): void;
   /** Frees the tables and gives three.js its own code back. Materials that were compiled need `needsUpdate`. */

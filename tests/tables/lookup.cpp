@@ -91,7 +91,7 @@ template<class>
 struct texture2d_array {
     float4 sample(sampler, float2 at, std::size_t layer, level) const { return texels.at(at.x, at.y, layer); }
 };
-#define constant static const
+#define constant const
 // WGSL.
 using texture_2d = texture2d<float>;
 using texture_2d_array = texture2d_array<float>;

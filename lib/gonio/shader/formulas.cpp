@@ -324,7 +324,7 @@ core::Ggx<S> ggx(Function& f) {
 // GGX with a grain: f of red, green and blue.
 struct GrainedGgx {
     Vector f0;
-    Grain grain;
+    GrainParameters grain;
     explicit GrainedGgx(Function& f) : f0(color_of(f, "f0", "[0, 1], reflectance at normal incidence")), grain(f) {}
 };
 GrainedGgx ggx_anisotropic(Function& f) {

@@ -1,4 +1,6 @@
 #include <gonio/shader/function.hpp>
+#include <gonio/shader/helpers.hpp>
+#include <gonio/shader/schedule.hpp>
 
 #include <algorithm>
 
@@ -62,14 +64,15 @@ void Function::early(RecordedMask condition, Recorded value, std::string_view co
 void Function::returns(Recorded value) {
     result = Type::scalar;
     stages.push_back({no_node, value.node, {}});
+    graph.forget_assumptions();
 }
 void Function::returns(Vector value) {
     result = Type::vector;
     stages.push_back({no_node, value.node(), {}});
+    graph.forget_assumptions();
 }
 
 void Function::join_stages() {
-    graph.forget_assumptions(); // the choice is between both results
     NodeId value = stages.back().value;
     for (std::size_t i = stages.size() - 1; i > 0; --i)
         value = graph.select(stages[i - 1].condition, stages[i - 1].value, value);
@@ -118,15 +121,21 @@ std::vector<NodeId> printing_order(const Function& function) {
 
 std::size_t operation_count(const Function& function) {
     const Graph& graph = function.graph;
+    std::vector<NodeId> roots{function.stages.back().value};
+    for (const Stage& stage : function.stages)
+        roots.push_back(stage.condition);
+    const std::vector<bool> needed = needed_by(graph, roots);
     std::size_t count = 0;
-    for (const NodeId id : printing_order(function)) {
-        if (graph[id].operation <= Operation::pack) continue;
+    for (NodeId id = 0; id < needed.size(); ++id) {
+        const Node& node = graph[id];
+        if (!needed[id] || node.operation <= Operation::pack) continue;
         // The terms of a sum are added in its loop.
-        const LoopSet around = graph.loops_around(graph[id].operation == Operation::sum ? graph[id].arguments[0] : id);
+        const LoopSet around = graph.loops_around(node.operation == Operation::sum ? node.arguments[0] : id);
         std::size_t times = 1;
         for (std::size_t loop = 0; loop < graph.loops().size(); ++loop)
             if (((around >> loop) & 1U) != 0) times *= graph.loops()[loop].rows();
-        count += times;
+        const bool is_call = node.operation == Operation::call;
+        count += times * (is_call ? operation_count(function_of(static_cast<Helper>(node.index))) : 1);
     }
     return count;
 }

@@ -47,7 +47,7 @@ struct Function {
     void label(std::string_view as, Vector value, std::string_view note = {});
     void label(std::string_view as, RecordedMask value, std::string_view note = {});
 
-    // What is recorded after it may rely on the condition not holding.
+    // What is recorded from here to returns() may rely on the condition not holding.
     void early(RecordedMask condition, Recorded value, std::string_view comment);
     void returns(Recorded value);
     void returns(Vector value);
@@ -64,8 +64,8 @@ private:
 // The nodes that the result needs, each after those that it needs, in an order that the expressions alone decide:
 // compilers record the two sides of an operator in different orders.
 std::vector<NodeId> printing_order(const Function& function);
-// How many operations a call runs that does not return early: no constant, parameter, component or pack of three
-// scalars counts, and the body of a loop once for each row.
+// How many operations a call runs that does not return early, with those of the helpers it calls: no constant,
+// parameter, component or pack of three scalars counts, and the body of a loop once for each row.
 std::size_t operation_count(const Function& function);
 
 } // namespace gonio::shader

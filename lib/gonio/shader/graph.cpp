@@ -2,6 +2,7 @@
 #include <gonio/shader/graph.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -123,6 +124,7 @@ std::uint8_t Graph::begin_loop(std::vector<Column> columns) {
         if (loops_[each].columns == loop.columns) ++loop.depth;
     auto at = std::find(loops_.begin(), loops_.end(), loop);
     if (at == loops_.end()) at = loops_.insert(at, std::move(loop));
+    assert(loops_.size() <= 8 * sizeof(LoopSet));
     begun_.push_back(static_cast<std::uint8_t>(at - loops_.begin()));
     return begun_.back();
 }

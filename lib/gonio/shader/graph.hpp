@@ -126,7 +126,7 @@ public:
     std::uint8_t begin_loop(std::vector<Column> columns);
     void end_loop();
     NodeId element(std::uint8_t loop, std::size_t column);
-    // Over the rows of all loops that have begun.
+    // Over the rows of all loops that have begun, so a total begins before the outermost of them.
     NodeId sum(NodeId term);
     const std::vector<Loop>& loops() const { return loops_; }
     // The loops in which a node has to be computed.

@@ -130,7 +130,7 @@ void highlight_ltc(Function& f) {
 }
 
 // The lobe of anisotropic_lobe.hpp in the frame of a receiver.
-inline core::AnisotropicGgxInFrame<S> lobe_in_frame(const Grain& grain, Vector normal, Vector view) {
+inline core::AnisotropicGgxInFrame<S> lobe_in_frame(const GrainParameters& grain, Vector normal, Vector view) {
     const core::LtcFrame<S> frame = core::ltc_frame(normal, view);
     return {grain.alphas, {dot(frame.x, grain.tangent), dot(frame.y, grain.tangent)}, grain.alphas.mean()};
 }
@@ -140,7 +140,7 @@ void highlight_anisotropic(Function& f) {
     const Vector view = f.unit("view", "unit, from the surface to the eye");
     const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
     const S f90 = share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces");
-    const Grain grain(f);
+    const GrainParameters grain(f);
     const Vector leaning =
         f.vector("leaning", "along, raised and across of the table at n.v and ggx_anisotropic_roughness");
     const Vector reflected = f.vector("reflected", "slant, albedo and grazing of the table at the same place");
@@ -159,7 +159,7 @@ void highlight_anisotropic(Function& f) {
 inline void anisotropic_roughness(Function& f) {
     const Vector normal = f.unit("normal", "unit, the receiver's");
     const Vector view = f.unit("view", "unit, from the surface to the eye");
-    const Grain grain(f);
+    const GrainParameters grain(f);
     f.returns(simd::sqrt(lobe_in_frame(grain, normal, view).even_alpha()));
 }
 

@@ -81,10 +81,10 @@ inline S share_of(Function& f, std::string_view name, std::string_view meaning =
 }
 
 // Of a surface that is rougher along one direction than across it.
-struct Grain {
+struct GrainParameters {
     Vector tangent;
     core::AnisotropicAlpha<S> alphas;
-    explicit Grain(Function& f)
+    explicit GrainParameters(Function& f)
         : tangent(f.unit("tangent", "unit, across the normal: the direction of alpha_along")),
           alphas{alpha(f, "alpha_along", "[1e-4, 1.5] along the tangent"),
                  alpha(f, "alpha_across", "[1e-4, 1.5] across it")} {}

@@ -46,7 +46,7 @@ constexpr std::array all_words{
           {"float", "float3", "bool"},
           "f",
           "inline ",
-          "constant",
+          "static constant",
           "// Metal Shading Language.\n\n#include <metal_stdlib>\nusing namespace metal;\n"},
     Words{ShaderLanguage::wgsl, {"f32", "vec3<f32>", "bool"}, "", "", "const", "// WGSL.\n"},
 };
@@ -287,7 +287,7 @@ private:
     }
 
     void print_loop(const Step& step) {
-        const std::string index(1, "ijkl"[open_loops_.size()]);
+        const std::string index = new_index();
         for (const NodeId sum : step.sums) {
             const auto outer = total_of_.find(sum);
             if (outer != total_of_.end()) {
@@ -318,6 +318,14 @@ private:
         indent_.erase(indent_.size() - 4);
         open_loops_.pop_back();
         out_ += indent_ + "}\n";
+    }
+    // Another one for each loop: some compilers of HLSL let it live on after its loop.
+    std::string new_index() {
+        const std::string letter(1, static_cast<char>('i' + static_cast<int>(open_loops_.size())));
+        std::string name = letter;
+        for (int k = 1; !taken_.insert(name).second; ++k)
+            name = fmt::format("{}{}", letter, k);
+        return name;
     }
     // Whether an inner loop's sum is only a part of an outer one's, which it adds its terms to.
     bool is_added_directly(NodeId term) const {
@@ -526,6 +534,7 @@ private:
 // "2e-6".
 std::string rounded_text(double error) {
     const int exponent = static_cast<int>(std::floor(std::log10(error) + 1e-9));
+    if (exponent == 0) return fmt::format("{:.0f}", error);
     return fmt::format("{:.0f}e{}", error / std::pow(10.0, exponent), exponent);
 }
 

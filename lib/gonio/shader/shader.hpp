@@ -2,8 +2,8 @@
 //
 // The source is recorded from the templates that compute in C++: a scalar that records runs through them. It depends on
 // nothing but its parameters. Lengths are in metres, between 1e-4 and 1e5; angles in radians; directions are unit.
-// Deterministic: equal requests give equal bytes. Nothing here fails or reads files; recording takes about a
-// millisecond.
+// Deterministic: equal requests give equal bytes. Nothing here fails or reads files; recording takes one to fifty
+// milliseconds.
 #pragma once
 
 #include <cstddef>
@@ -35,10 +35,10 @@ enum class ShaderBranches : std::uint8_t { real, select };
 
 // What identifies a formula. A part that a formula does not have is empty.
 struct ShaderFormula {
-    std::string_view what;     // irradiance, brdf, sample, pdf, shade or visibility
+    std::string_view what;     // irradiance, brdf, sample, pdf, shade, roughness or visibility
     std::string_view light;    // sphere, disk, rect, tube, sun, point or spot
     std::string_view method;   // exact, frostbite, ue4, point, representative-point, ltc, ltc-share, a window or a lobe
-    std::string_view material; // lambert, eon, frostbite, ue4, gltf, blinn or ggx
+    std::string_view material; // lambert, eon, frostbite, ue4, gltf, blinn, ggx or ggx-anisotropic
     std::string_view shadow_of; // sphere or capsule
     bool operator==(const ShaderFormula&) const = default;
 };
@@ -47,7 +47,8 @@ struct ShaderFormula {
 // plus a tenth of the subtended angle [rad] (irradiance), or plus 0.1 (else). The core's own bound is 1e-5.
 struct ShaderError {
     double apart; // farther from the light than a tenth of its size
-    double near;  // nearer, where the core computes in double; outside the light
+    double near;  // nearer, where the core computes in double; outside the light. From 0.1 on it says that float
+                  // decides on which side of a flat light's plane a receiver is, and by how much is not tested
 };
 
 // A formula that has a shader.

@@ -228,7 +228,7 @@ GONIO_FORCE_INLINE LobeCases<S> lobe_cases(const LobePose<S, Points, Cosine>& po
             simd::either(simd::either(height < -rise, unlit_side<S>(light, pose.points)), !pose.seen)};
 }
 
-// Their sum as a result.
+// Sums as a result: both are shares.
 template<class S>
 GONIO_FORCE_INLINE SpecularLuminance<S> as_luminance(S value, S grazing) {
     return {simd::min(simd::max(value, S(0)), S(1)), simd::min(simd::max(grazing, S(0)), S(1))};

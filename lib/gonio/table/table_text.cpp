@@ -156,7 +156,8 @@ std::string series(const Words& words) {
     case TableLanguage::msl:
     case TableLanguage::c:
         text = fmt::format("{} float {}_terms[{}] = {{\n{}}};\n",
-                           words.language == TableLanguage::msl ? "constant" : "static const", name, count, numbers);
+                           words.language == TableLanguage::msl ? "static constant" : "static const", name, count,
+                           numbers);
         break;
     }
     const std::string_view real = words.in_wgsl() ? "f32" : "float";

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -103,6 +104,21 @@ TEST(ShaderGraph, SumsOverLoops) {
     EXPECT_EQ(evaluate(std::vector<double>{2.0})[0], 63.0 + 1000.0 * (5.0 + 98.0));
 }
 
+// Of Σ (w x + 1) over three rows, and an early return that does not count.
+TEST(ShaderFunction, CountsTheOperationsOfACall) {
+    Function function;
+    const Recording recording(function.graph);
+    const Recorded x = function.scalar("x");
+    const Recorded y = function.scalar("y");
+    function.early(x < y, x * y * y, "");
+    Recorded total(0);
+    const std::uint8_t loop = function.graph.begin_loop({{"weight", {1.0, 2.0, 4.0}}});
+    simd::accumulate(total, Recorded::of(function.graph.element(loop, 0)) * x + Recorded(1));
+    function.graph.end_loop();
+    function.returns(total - y);
+    EXPECT_EQ(operation_count(function), 1U + 3U * 3U + 1U);
+}
+
 // A sum that another sum of the same loop needs comes before it.
 TEST(ShaderGraph, SumsThatNeedSumsHaveLoopsOfTheirOwn) {
     Function function;
@@ -180,9 +196,7 @@ TEST_P(ShaderErrors, AreAsStated) {
     }
     if (test::is_sanitized) return; // few poses are not near the worst, and say nothing about shares of them
     // Which poses change to the other side of a flat light's plane, each compiler decides.
-    const bool may_change_sides =
-        formula.names.method.starts_with("ltc") && (formula.names.light == "disk" || formula.names.light == "rect");
-    if (may_change_sides)
+    if (formula.names.method.starts_with("ltc") && formula.error.near >= 0.1)
         EXPECT_GE(worst[0], 0.2 * formula.error.apart);
     else
         EXPECT_GE(std::max(worst[0], worst[1]), 0.2 * std::max(formula.error.apart, formula.error.near));
@@ -266,6 +280,49 @@ TEST(ShaderText, HasNoCodeThatIsNotUsedAndNoLongLines) {
     }
 }
 
+// Names are declared before their use, in a scope around it, and not twice in one scope. Compilers see it too
+// (tests/shader), for what they are given.
+void expect_names_in_scope(const std::string& text, std::string_view what) {
+    static const std::regex word("[A-Za-z_][A-Za-z0-9_]*");
+    static const std::regex declaration("^ +(?:for \\()?(?:let|var|float|int|bool|vec3) ([A-Za-z0-9_]+) =");
+    std::vector<std::set<std::string>> scopes(1);
+    std::set<std::string> all; // of the function
+    for (std::size_t start = 0, end = 0; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
+        std::string line = text.substr(start, end - start);
+        line.erase(std::min(line.find("//"), line.size()));
+        if (line.find('}') != std::string::npos) scopes.pop_back();
+        if (scopes.size() == 1) all.clear();
+        std::smatch found;
+        const bool declares = std::regex_search(line, found, declaration);
+        const std::string name = declares ? found[1].str() : std::string();
+        const bool opens = line.find('{') != std::string::npos;
+        if (opens) scopes.emplace_back();
+        if (opens && declares) scopes.back().insert(name); // of a loop
+        for (auto at = std::sregex_iterator(line.begin(), line.end(), word); at != std::sregex_iterator(); ++at) {
+            const auto place = static_cast<std::size_t>(at->position());
+            const bool is_component = place > 0 && line[place - 1] == '.';
+            if (is_component || at->str() == name || !all.contains(at->str())) continue;
+            EXPECT_TRUE(
+                std::any_of(scopes.begin(), scopes.end(), [&](const auto& scope) { return scope.contains(at->str()); }))
+                << what << ", " << at->str() << ": " << line;
+        }
+        if (declares && !opens) {
+            EXPECT_TRUE(scopes.back().insert(name).second) << what << ", twice: " << line;
+        }
+        if (declares) all.insert(name);
+    }
+    EXPECT_EQ(scopes.size(), 1U) << what;
+}
+
+TEST(ShaderText, DeclaresNamesInTheirScopes) {
+    for (const Formula& formula : formulas()) {
+        if (!formula.names.method.starts_with("ltc")) continue; // those with loops
+        for (const ShaderLanguage language : {ShaderLanguage::glsl450, ShaderLanguage::wgsl})
+            for (const ShaderBranches branches : {ShaderBranches::real, ShaderBranches::select})
+                expect_names_in_scope(text_of(formula, language, branches), formula.function);
+    }
+}
+
 TEST(ShaderText, HasHelpersOfSeveralFormulasOnce) {
     std::vector<std::size_t> all(shader_formula_count());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -285,12 +342,12 @@ TEST(ShaderText, SumsRowsInLoops) {
                                    [](const Formula& formula) { return formula.function == "rect_shade_ggx_ltc"; });
     const std::string glsl = text_of(*rows, ShaderLanguage::glsl_es300, ShaderBranches::real);
     EXPECT_EQ(count_of(glsl, "for (int i = 0; i < 9; ++i) {"), 1U) << "points of the light";
-    EXPECT_EQ(count_of(glsl, "for (int i = 0; i < 4; ++i) {"), 1U) << "rows";
+    EXPECT_EQ(count_of(glsl, "for (int i1 = 0; i1 < 4; ++i1) {"), 1U) << "rows";
     EXPECT_EQ(count_of(glsl, "for (int j = 0; j < 5; ++j) {"), 1U) << "points of a row";
     EXPECT_EQ(count_of(glsl, "rows_value += "), 1U) << "one total over both";
     EXPECT_EQ(count_of(glsl, "const float weight_9[9] = float[9]("), 1U);
     const std::string wgsl = text_of(*rows, ShaderLanguage::wgsl, ShaderBranches::real);
-    EXPECT_EQ(count_of(wgsl, "for (var i = 0; i < 4; i++) {"), 1U);
+    EXPECT_EQ(count_of(wgsl, "for (var i1 = 0; i1 < 4; i1++) {"), 1U);
     EXPECT_EQ(count_of(wgsl, "const weight_9 = array<f32, 9>("), 1U);
 }
 
