@@ -47,8 +47,8 @@ struct ShaderFormula {
 // plus a tenth of the subtended angle [rad] (irradiance), or plus 0.1 (else). The core's own bound is 1e-5.
 struct ShaderError {
     double apart; // farther from the light than a tenth of its size
-    double near;  // nearer, where the core computes in double; outside the light. From 0.1 on it says that float
-                  // decides on which side of a flat light's plane a receiver is, and by how much is not tested
+    double near;  // nearer, where the core computes in double; outside the light. Of a disk's highlight by ltc it is
+                  // the largest found with any compiler: float decides on which side of the disk a receiver is
 };
 
 // A formula that has a shader.
