@@ -13,43 +13,56 @@
 
 namespace gonio::shader {
 
-// Per luminance of the light.
-inline Vector luminance(Vector f0, S f90, const core::SpecularLuminance<S>& found) {
-    return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
-}
-
-// GGX under an area light by linearly transformed cosines, with the numbers of the cosine as parameters, which come
-// from a table (`gonio bake --table ltc-ggx`).
+// What every highlight takes, and its luminance per luminance of the light.
 template<class Light>
-struct CosineHighlight {
+struct Highlight {
     Light light;
     Vector view, f0;
-    S f90, roughness;
-    Vector leaning, reflected;
-    core::GgxLobe<S> lobe;
+    S f90;
 
-    explicit CosineHighlight(Function& f)
+    explicit Highlight(Function& f)
         : light(f),
           view(f.unit("view", "unit, from the surface to the eye")),
           f0(color_of(f, "f0", "[0, 1], reflectance at normal incidence")),
-          f90(share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces")),
+          f90(share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces")) {}
+
+    Vector luminance(const core::SpecularLuminance<S>& found) const {
+        return (f0 + (Vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
+    }
+};
+
+// A transformed cosine by its six numbers, which come from a table (`gonio bake --table ltc-ggx`).
+struct CosineNumbers {
+    Vector leaning, reflected;
+
+    // `where` says at which place of the table they are.
+    CosineNumbers(Function& f, std::string_view where)
+        : leaning(f.vector("leaning", where)),
+          reflected(f.vector("reflected", "slant, albedo and grazing of the table at the same place")) {}
+
+    core::LtcLobe<S> cosine(S alpha, S n_dot_v, S sine) const {
+        const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
+        return core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y, reflected.z, alpha,
+                                       mu, sine);
+    }
+};
+
+// GGX under an area light by linearly transformed cosines.
+template<class Light>
+struct CosineHighlight : Highlight<Light> {
+    S roughness;
+    CosineNumbers numbers;
+    core::GgxLobe<S> lobe;
+
+    explicit CosineHighlight(Function& f)
+        : Highlight<Light>(f),
           roughness(share_of(f, "roughness", "linear, [0, 1]: alpha is its square")),
-          leaning(f.vector("leaning", "along, raised and across of the table at n.v and the roughness")),
-          reflected(f.vector("reflected", "slant, albedo and grazing of the table at the same place")),
+          numbers(f, "along, raised and across of the table at n.v and the roughness"),
           lobe{simd::max(roughness * roughness, S(core::minimum_alpha))} {}
 
-    core::LtcLobe<S> cosine(S n_dot_v, S sine) const {
-        const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
-        return core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y, reflected.z,
-                                       lobe.alpha, mu, sine);
-    }
     auto cosine_of() const {
-        return [this](S n_dot_v, S sine) { return cosine(n_dot_v, sine); };
+        return [this](S n_dot_v, S sine) { return numbers.cosine(lobe.alpha, n_dot_v, sine); };
     }
-    auto pose() const {
-        return core::detail::lobe_pose(light.as_light(), light.to_center, light.normal, view, cosine_of());
-    }
-    Vector luminance(const core::SpecularLuminance<S>& found) const { return shader::luminance(f0, f90, found); }
 };
 
 template<class Pose>
@@ -91,10 +104,11 @@ void label_points(Function& f, const Points& points, Vector v) {
 }
 
 // specular_ltc.hpp, in stages: nothing, points of the light, rows of points.
-template<class Light, template<class> class Lobe, class CosineOf, class Luminance>
-void rows_stages(Function& f, const Light& light, Vector view, const Lobe<S>& lobe, const CosineOf& cosine_of,
-                 const Luminance& luminance) {
+template<class Light, template<class> class Lobe, class CosineOf>
+void rows_stages(Function& f, const Highlight<Light>& highlight, const Lobe<S>& lobe, const CosineOf& cosine_of) {
     using core::detail::CosineSum;
+    const Light& light = highlight.light;
+    const Vector view = highlight.view;
     const auto of = light.as_light();
     const auto pose_now = [&] { return core::detail::lobe_pose(of, light.to_center, light.normal, view, cosine_of); };
     const auto any_pose = pose_now();
@@ -110,7 +124,7 @@ void rows_stages(Function& f, const Light& light, Vector view, const Lobe<S>& lo
     const auto sums = core::detail::point_sums<CosineSum::none>(pose.points, lobe, pose.cosine, pose.v);
     label_sums(f, sums, "points_", "The lobe itself at points of the light, which are enough for a small one.");
     const auto by_points = core::detail::as_luminance(sums.value, core::detail::grazing_share(sums));
-    f.early(small, S::of(luminance(by_points).node()), "Small against the lobe.");
+    f.early(small, S::of(highlight.luminance(by_points).node()), "Small against the lobe.");
 
     const auto region = core::detail::region_of(pose.cosine, pose.points, of, pose.frame, light.to_center);
     using Region = std::remove_cv_t<decltype(region)>;
@@ -120,13 +134,12 @@ void rows_stages(Function& f, const Light& light, Vector view, const Lobe<S>& lo
     constexpr auto which = Lobe<S>::is_even ? CosineSum::whole : CosineSum::none;
     label_sums(f, core::detail::point_sums<which>(rows, lobe, pose.cosine, pose.v), "rows_",
                "Along rows of points that the cosine places in the light: the lobe itself, and the cosine.");
-    f.returns(luminance(core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of)));
+    f.returns(highlight.luminance(core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of)));
 }
 template<class Light>
 void highlight_ltc(Function& f) {
     const CosineHighlight<Light> of(f);
-    rows_stages(f, of.light, of.view, of.lobe, of.cosine_of(),
-                [&](const core::SpecularLuminance<S>& found) { return of.luminance(found); });
+    rows_stages(f, of, of.lobe, of.cosine_of());
 }
 
 // The lobe of anisotropic_lobe.hpp in the frame of a receiver.
@@ -136,25 +149,15 @@ inline core::AnisotropicGgxInFrame<S> lobe_in_frame(const GrainParameters& grain
 }
 template<class Light>
 void highlight_anisotropic(Function& f) {
-    const Light light(f);
-    const Vector view = f.unit("view", "unit, from the surface to the eye");
-    const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
-    const S f90 = share_of(f, "f90", "[0, 1], reflectance at grazing incidence; 1 for most surfaces");
+    const Highlight<Light> of(f);
     const GrainParameters grain(f);
-    const Vector leaning =
-        f.vector("leaning", "along, raised and across of the table at n.v and ggx_anisotropic_roughness");
-    const Vector reflected = f.vector("reflected", "slant, albedo and grazing of the table at the same place");
-    const core::AnisotropicGgxInFrame<S> lobe = lobe_in_frame(grain, light.normal, view);
+    const CosineNumbers numbers(f, "along, raised and across of the table at n.v and ggx_anisotropic_roughness");
+    const core::AnisotropicGgxInFrame<S> lobe = lobe_in_frame(grain, of.light.normal, of.view);
     const S even_alpha = lobe.even_alpha();
     f.label("even_alpha", even_alpha, "Of the isotropic lobe that is as wide in the plane of normal and view.");
-    const auto cosine_of = [&](S n_dot_v, S sine) {
-        const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
-        return lobe.stretched(core::detail::lobe_from(leaning.x, leaning.y, leaning.z, reflected.x, reflected.y,
-                                                      reflected.z, even_alpha, mu, sine),
-                              even_alpha);
-    };
-    rows_stages(f, light, view, lobe, cosine_of,
-                [&](const core::SpecularLuminance<S>& found) { return luminance(f0, f90, found); });
+    rows_stages(f, of, lobe, [&](S n_dot_v, S sine) {
+        return lobe.stretched(numbers.cosine(even_alpha, n_dot_v, sine), even_alpha);
+    });
 }
 inline void anisotropic_roughness(Function& f) {
     const Vector normal = f.unit("normal", "unit, the receiver's");
@@ -168,7 +171,8 @@ template<class Light>
 void highlight_by_share(Function& f) {
     const CosineHighlight<Light> of(f);
     // The simple case.
-    const auto pose = of.pose();
+    const auto light = of.light.as_light();
+    const auto pose = core::detail::lobe_pose(light, of.light.to_center, of.light.normal, of.view, of.cosine_of());
     constexpr double alone = core::detail::ltc_points_alone[0];
     const auto small = pose.size2 < S(alone * alone) * pose.distance2;
     const auto dark = pose.is_below();
@@ -180,8 +184,8 @@ void highlight_by_share(Function& f) {
     f.label("by_points", sums.value, "The lobe itself at points of the light.");
     f.early(simd::either(small, dark), S::of(of.luminance(core::detail::points_alone(sums, dark)).node()),
             "Small against the lobe, or below the horizon: the points are enough.");
-    f.returns(of.luminance(core::specular_by_share(of.light.as_light(), of.light.to_center, of.light.normal, of.view,
-                                                   of.lobe, of.cosine_of())));
+    f.returns(of.luminance(
+        core::specular_by_share(light, of.light.to_center, of.light.normal, of.view, of.lobe, of.cosine_of())));
 }
 
 } // namespace gonio::shader
