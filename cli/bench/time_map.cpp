@@ -261,7 +261,7 @@ Result<TimeMap> of_info(const TimeMapOptions& options) {
     return of_profile("to facts", options, [&](ProfileWork& work) {
         return std::vector<Part>{{"facts",
                                   [&]() -> Result<void> {
-                                      facts = profile_facts(*work.profile, work.resolved->web, {}, false);
+                                      facts = profile_facts(*work.profile, work.resolved->web, {}, FactsExtent::report);
                                       return {};
                                   }},
                                  {"text", [&]() -> Result<void> {

@@ -102,7 +102,7 @@ Diagnostic remark_of(const DiagnosticCode& code, const std::string& source, std:
 // What a GLDF says about the profile in it. What the profile does not state is said to be missing.
 GldfProduct product_of(const LoadedProfile& loaded, const ProfileInputOptions& input, Diagnostics& diagnostics) {
     const ProfileHeader header = header_of(loaded.profile, input.resolve);
-    const ProfileFacts facts = profile_facts(loaded.profile, loaded.web, input.resolve, false);
+    const ProfileFacts facts = profile_facts(loaded.profile, loaded.web, input.resolve, FactsExtent::brief);
     GldfProduct product;
     product.manufacturer = to_utf8(keyword_text(header, "MANUFAC"));
     product.name = to_utf8(luminaire_name(header));

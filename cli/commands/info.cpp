@@ -117,6 +117,9 @@ int run(const Arguments& arguments, Console& console) {
         figures_options.ugr_interpolation = *named;
     }
     const bool plot = Console::output_is_terminal() && files->size() == 1;
+    const FactsExtent extent = csv                                ? FactsExtent::brief
+                               : all || kind != ReportKind::words ? FactsExtent::all
+                                                                  : FactsExtent::report;
     if (csv) console.print(csv_head);
     const auto figures_of = [&](const LoadedProfile& loaded) {
         return luminaire_figures(loaded.profile, loaded.web, options->resolve, figures_options);
@@ -135,8 +138,7 @@ int run(const Arguments& arguments, Console& console) {
             Result<Gldf> read = read_gldf(loaded->bytes, file);
             if (read) gldf = std::move(*read);
         }
-        const bool more = all || kind != ReportKind::words;
-        const ProfileFacts facts = profile_facts(loaded->profile, loaded->web, options->resolve, more);
+        const ProfileFacts facts = profile_facts(loaded->profile, loaded->web, options->resolve, extent);
         if (csv) {
             outcome.words = csv_line(file, facts);
         } else if (kind == ReportKind::words) {

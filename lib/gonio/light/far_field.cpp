@@ -1,12 +1,12 @@
 #include <gonio/light/far_field.hpp>
+#include <gonio/web/quick_web.hpp>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <utility>
+#include <cstddef>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -65,76 +65,209 @@ private:
     }
 };
 
-// The illuminance of a receiver that faces the middle, over that of a point.
-double over_point(const LuminousBody& body, const Web& web, const std::vector<Element>& elements,
-                  const glm::dvec3& direction, double distance_m) {
-    double lx = 0.0;
-    for (const Element& element : elements) {
-        const glm::dvec3 away = distance_m * direction - element.position;
-        const double r2 = glm::dot(away, away);
-        const double at_light = glm::dot(away, element.normal);
-        const double at_receiver = glm::dot(away, direction);
-        if (!(at_light > 0.0) || !(at_receiver > 0.0)) continue;
-        const double nt = std::max(web.candela(away), 0.0) / body.projected_area_m2(away);
-        lx += nt * at_light * at_receiver * element.area_m2 / (r2 * r2);
+// The faces' elements as a receiver sees them.
+class Elements {
+public:
+    Elements(const LuminousBody& body, const Web& web) : quick_(web) {
+        for (const LuminousFace& face : body.faces()) {
+            std::vector<Element> elements;
+            std::visit(ElementsOf{face, elements}, face.shape);
+            faces_.push_back({face.normal, face.frame.origin, face.area_m2, face.is_flat, all_.size(),
+                              all_.size() + elements.size()});
+            all_.insert(all_.end(), elements.begin(), elements.end());
+        }
+        for (const Element& element : all_)
+            size_m_ = std::max(size_m_, 2.0 * glm::length(element.position));
+        for (std::vector<double>* const numbers : {&x_, &y_, &z_, &distance_m_, &projected_m3_, &candela_, &weights_})
+            numbers->resize(all_.size());
     }
-    return lx * distance_m * distance_m / web.candela(direction);
-}
+
+    [[nodiscard]] double size_m() const { return size_m_; }
+
+    // The illuminance of a receiver that faces the middle, from a direction with some light, over that of a point. The
+    // distance is above half the size, so no element is behind the receiver.
+    [[nodiscard]] double over_point(const glm::dvec3& direction, double candela, double distance_m) {
+        std::size_t count = 0;
+        for (const Face& face : faces_) {
+            // All elements of a flat face are as far in front of the receiver or behind it, but for rounding.
+            const double in_front_m = glm::dot(distance_m * direction - face.origin, face.normal);
+            if (face.is_flat && in_front_m < -1e-9 * size_m_) continue;
+            const bool is_surely_lit = face.is_flat && in_front_m > 1e-9 * size_m_;
+            for (std::size_t i = face.first; i < face.end; ++i) {
+                const Element& element = all_[i];
+                const glm::dvec3 away = distance_m * direction - element.position;
+                const double at_light_m = glm::dot(away, element.normal);
+                if (!is_surely_lit && !(at_light_m > 0.0)) continue;
+                x_[count] = away.x;
+                y_[count] = away.y;
+                z_[count] = away.z;
+                weights_[count] = at_light_m * glm::dot(away, direction) * element.area_m2;
+                ++count;
+            }
+        }
+        std::fill_n(projected_m3_.begin(), count, 0.0);
+        for (std::size_t i = 0; i < count; ++i)
+            distance_m_[i] = std::sqrt(x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i]);
+        for (const Face& face : faces_) { // the projected area of the whole body, times the distance
+            if (face.is_flat)
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double to_face_m = face.normal.x * x_[i] + face.normal.y * y_[i] + face.normal.z * z_[i];
+                    projected_m3_[i] += face.area_m2 * std::max(to_face_m, 0.0);
+                }
+            else
+                for (std::size_t i = 0; i < count; ++i)
+                    projected_m3_[i] += 0.25 * face.area_m2 * distance_m_[i];
+        }
+        const auto some = [count](std::vector<double>& numbers) { return std::span(numbers.data(), count); };
+        quick_.candela(some(x_), some(y_), some(z_), some(candela_));
+        for (std::size_t i = 0; i < count; ++i) {
+            const double r = distance_m_[i];
+            weights_[i] *= std::max(candela_[i], 0.0) / (projected_m3_[i] * (r * r * r));
+        }
+        double lx = 0.0;
+        for (std::size_t i = 0; i < count; ++i)
+            lx += weights_[i];
+        return lx * distance_m * distance_m / candela;
+    }
+
+private:
+    struct Face {
+        glm::dvec3 normal;
+        glm::dvec3 origin;
+        double area_m2;
+        bool is_flat;
+        std::size_t first; // of its elements
+        std::size_t end;
+    };
+
+    QuickWeb quick_;
+    std::vector<Element> all_;
+    std::vector<Face> faces_;
+    double size_m_ = 0.0;
+    // Of the elements that shine on the receiver: the way to it, and what their light is multiplied by.
+    std::vector<double> x_;
+    std::vector<double> y_;
+    std::vector<double> z_;
+    std::vector<double> distance_m_;
+    std::vector<double> projected_m3_;
+    std::vector<double> candela_;
+    std::vector<double> weights_;
+};
+
+// The directions of the sphere in which there is light, and which of them see the elements as a point.
+class Directions {
+public:
+    Directions(Elements& elements, const Web& web) : elements_(elements) {
+        constexpr int directions = 120;
+        for (int i = 0; i < directions; ++i) {
+            const glm::dvec3 direction = on_spiral(i, directions);
+            const double candela = web.candela(direction);
+            if (!(candela > 0.0)) continue;
+            lit_.push_back({direction, candela, 0.0});
+            all_ += candela;
+        }
+    }
+
+    // The error that the directions of at most 5 % of the light exceed, estimated from every third of them.
+    double estimate(double distance_m) {
+        std::vector<Lit> some;
+        double all = 0.0;
+        for (std::size_t i = 0; i < lit_.size(); i += 3) {
+            Lit& towards = lit_[i];
+            towards.error = error_of(towards, distance_m);
+            all += towards.candela;
+            some.push_back(towards);
+        }
+        return quantile(some, all);
+    }
+
+    // The same from all of them.
+    double error_at(double distance_m) {
+        for (Lit& towards : lit_)
+            towards.error = error_of(towards, distance_m);
+        return quantile(lit_, all_);
+    }
+
+    // error_at() ≤ tolerance, by as few directions as decide it. Those that had the greatest errors come first: a
+    // distance that is too near is found after a few.
+    bool is_far(double distance_m, double tolerance) {
+        sort();
+        const double most = (1.0 - share_of_light) * all_;
+        const double rounding = 1e-9 * all_; // of the sums
+        double above = 0.0;
+        double within = 0.0;
+        for (Lit& towards : lit_) {
+            towards.error = error_of(towards, distance_m);
+            (towards.error <= tolerance ? within : above) += towards.candela;
+            if (above > most + rounding) return false;
+            if (all_ - within < most - rounding) return true;
+        }
+        return quantile(lit_, all_) <= tolerance;
+    }
+
+private:
+    struct Lit {
+        glm::dvec3 direction;
+        double candela;
+        double error; // when it was last looked at
+    };
+
+    static double quantile(std::vector<Lit>& directions, double all) {
+        std::sort(directions.begin(), directions.end(), [](const Lit& a, const Lit& b) {
+            return a.error > b.error || (a.error == b.error && a.candela > b.candela);
+        });
+        double above = 0.0;
+        for (const Lit& towards : directions) {
+            above += towards.candela;
+            if (above > (1.0 - share_of_light) * all) return towards.error;
+        }
+        return 0.0;
+    }
+
+    void sort() {
+        std::stable_sort(lit_.begin(), lit_.end(), [](const Lit& a, const Lit& b) { return a.error > b.error; });
+    }
+
+    [[nodiscard]] double error_of(const Lit& towards, double distance_m) {
+        return std::abs(elements_.over_point(towards.direction, towards.candela, distance_m) - 1.0);
+    }
+
+    Elements& elements_;
+    std::vector<Lit> lit_;
+    double all_ = 0.0;
+};
 
 } // namespace
 
 Meters point_distance(const LuminousBody& body, const Web& web, double tolerance) {
-    std::vector<Element> elements;
-    double size_m = 0.0;
-    for (const LuminousFace& face : body.faces())
-        std::visit(ElementsOf{face, elements}, face.shape);
-    for (const Element& element : elements)
-        size_m = std::max(size_m, 2.0 * glm::length(element.position));
-    struct Lit {
-        glm::dvec3 direction;
-        double candela;
-    };
-    constexpr int directions = 120;
-    std::vector<Lit> lit;
-    double all = 0.0;
-    for (int i = 0; i < directions; ++i) {
-        const glm::dvec3 direction = on_spiral(i, directions);
-        const double candela = web.candela(direction);
-        if (!(candela > 0.0)) continue;
-        lit.push_back({direction, candela});
-        all += candela;
-    }
-    // The error that the directions of at most 5 % of the light exceed.
-    std::vector<std::pair<double, double>> errors; // and the candela that have them
-    const auto error_at = [&](double distance_m) {
-        errors.clear();
-        for (const Lit& towards : lit)
-            errors.emplace_back(std::abs(over_point(body, web, elements, towards.direction, distance_m) - 1.0),
-                                towards.candela);
-        std::sort(errors.begin(), errors.end(), std::greater<>());
-        double above = 0.0;
-        for (const auto& [error, candela] : errors) {
-            above += candela;
-            if (above > (1.0 - share_of_light) * all) return error;
-        }
-        return 0.0;
-    };
+    Elements elements(body, web);
+    Directions directions(elements, web);
     // Among steps of 5 % from 64 sizes, which count as far, down to one, the last that is far: the error is taken to
-    // fall with the distance. It falls by nearly the square of it, which guesses the step; halves follow if that is
-    // wrong.
+    // fall with the distance. It falls by nearly the square of it, which guesses the step.
     const double step = 1.05;
-    const auto distance_after = [&](int count) { return 64.0 * size_m / std::pow(step, count); };
-    constexpr int most_guesses = 6;
+    const auto distance_after = [&](int count) { return 64.0 * elements.size_m() / std::pow(step, count); };
     int far = 0;
     int near = static_cast<int>(std::log(64.0) / std::log(step)) + 1;
     int next = (far + near) / 2;
-    for (int guesses = 1; near - far > 1; ++guesses) {
-        const double error = error_at(distance_after(next));
-        (error <= tolerance ? far : near) = next;
+    const auto guess = [&](double error) {
         const double more = 0.5 * std::log(error / tolerance) / std::log(step); // steps back to where it is far
-        const double guess =
-            std::isfinite(more) && guesses < most_guesses ? next - std::ceil(more) : 0.5 * (far + near);
-        next = std::clamp(static_cast<int>(guess), far + 1, std::max(near - 1, far + 1));
+        if (std::isfinite(more)) next = static_cast<int>(std::clamp(next - std::ceil(more), far + 1.0, near - 1.0));
+    };
+    guess(directions.estimate(distance_after(next)));
+    const double error = directions.error_at(distance_after(next));
+    (error <= tolerance ? far : near) = next;
+    bool far_is_seen = far > 0;
+    bool near_is_seen = !far_is_seen;
+    if (near - far > 1) guess(error);
+    // From the guess by strides that double until the last that is far lies between two.
+    for (int stride = 1; near - far > 1; stride *= 2) {
+        const bool is_far = directions.is_far(distance_after(next), tolerance);
+        (is_far ? far : near) = next;
+        (is_far ? far_is_seen : near_is_seen) = true;
+        if (far_is_seen && near_is_seen)
+            next = near - far > 8 ? (far + near) / 2 : near - 1; // what is near is found sooner
+        else
+            next = is_far ? std::min(far + stride, near - 1) : std::max(near - stride, far + 1);
     }
     return Meters(distance_after(far));
 }

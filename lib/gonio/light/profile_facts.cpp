@@ -103,6 +103,10 @@ std::optional<double> ProfileFacts::efficacy_lm_per_w() const {
 }
 
 ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options, bool all) {
+    return profile_facts(profile, web, options, all ? FactsExtent::all : FactsExtent::report);
+}
+
+ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options, FactsExtent extent) {
     ProfileFacts facts;
     if (const std::string unit = radiometric_unit(profile); !unit.empty() && !options.as_candela) {
         facts.intensity_unit = unit;
@@ -125,12 +129,13 @@ ProfileFacts profile_facts(const Profile& profile, const Web& web, const Resolve
     facts.beam_c90_deg = in_degrees(spread_angle(web, 90.0, 0.5));
     facts.field_c90_deg = in_degrees(spread_angle(web, 90.0, 0.1));
     facts.opening = luminous_opening(profile);
-    if (const auto body = LuminousBody::of(opening_of(profile), web))
-        facts.point_distance_m = point_distance(*body, web, 0.01).value;
+    if (extent != FactsExtent::brief)
+        if (const auto body = LuminousBody::of(opening_of(profile), web))
+            facts.point_distance_m = point_distance(*body, web, 0.01).value;
     facts.nema_horizontal = nema_of(facts.field_deg);
     facts.nema_vertical = nema_of(facts.field_c90_deg);
     facts.ten_degree_zones_lm = ten_degree_zones(web);
-    if (!all) return facts;
+    if (extent != FactsExtent::all) return facts;
     facts.center_beam = center_beam(web);
     facts.cie_beam_deg = in_degrees(cie_beam_angle(web, 0.0));
     facts.cie_beam_c90_deg = in_degrees(cie_beam_angle(web, 90.0));

@@ -55,12 +55,12 @@ struct ProfileFacts {
     std::optional<double> field_c90_deg;
     std::optional<double> input_w;
     LuminousOpening opening;
-    std::optional<double> point_distance_m;     // from which on a point is within 1 %; empty for a point
+    std::optional<double> point_distance_m;     // from which on a point is within 1 %; empty for a point; not if brief
     std::optional<int> nema_horizontal;         // by the field angle in C0–C180
     std::optional<int> nema_vertical;           // in C90–C270
     std::array<Lumens, 18> ten_degree_zones_lm; // from the nadir
 
-    // Only if `all` is asked for.
+    // Only for FactsExtent::all.
     Candelas center_beam;
     std::optional<double> cie_beam_deg;
     std::optional<double> cie_beam_c90_deg;
@@ -76,9 +76,19 @@ struct ProfileFacts {
     std::optional<double> efficacy_lm_per_w() const;
 };
 
-// The facts of a profile and of the web that resolve_web() made of it with the same options. Some 10 ms for a profile
-// with an opening; `all` adds what costs more than the rest together on a fine table.
-ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options = {}, bool all = true);
+// How much profile_facts() works out.
+enum class FactsExtent {
+    brief,  // neither the distance from which a luminaire is a point, nor what `all` adds
+    report, // that distance too: as long as the rest together, for a profile with an opening
+    all     // and what costs more than the rest together on a fine table
+};
+
+// The facts of a profile and of the web that resolve_web() made of it with the same options.
+ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options = {},
+                           FactsExtent extent = FactsExtent::all);
+
+// FactsExtent::all, or else FactsExtent::report.
+ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options, bool all);
 
 } // namespace gonio
 #pragma GCC visibility pop
