@@ -5,7 +5,7 @@
 #include <gonio/base/path.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/web/compare.hpp>
+#include <gonio/web/greatest_difference.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/resolve.hpp>
@@ -113,7 +113,7 @@ Result<MeasuredLight> measured_light(const MeasuredLightSource& source, const Me
     if (!color) return pass_on(color);
     const Lumens lumens = flux(delivered->web);
     const Candelas greatest = peak(delivered->web).intensity;
-    const WebDifference error = difference(wanted, delivered->web);
+    const WebDifference error = web_detail::greatest_difference(wanted, delivered->web);
     return MeasuredLight{.name = asset_name(source.file),
                          .portable_ies = std::move(bytes),
                          .web = std::move(delivered->web),

@@ -2,8 +2,11 @@
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/web/compare.hpp>
 #include <gonio/web/goniometer.hpp>
+#include <gonio/web/greatest_difference.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/native_rows.hpp>
+#include <gonio/web/plane_rows.hpp>
 #include <gonio/web/symmetry.hpp>
 
 #include <algorithm>
@@ -11,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace gonio {
@@ -60,7 +64,8 @@ Grid union_grid(const Web& a, const Web& b) {
 
 class Comparison {
 public:
-    Comparison(const Web& a, const Web& b, double smallest_deg) : a_(a), b_(b), smallest_deg_(smallest_deg) {}
+    Comparison(const Web& a, const Web& b, double smallest_deg, bool with_squares)
+        : a_(a), b_(b), smallest_deg_(smallest_deg), with_squares_(with_squares) {}
 
     void look_at(GoniometerAngles c_gamma, double a_cd, double b_cd) {
         const double d = std::abs(a_cd - b_cd);
@@ -76,24 +81,42 @@ public:
         found_.exact = true;
         const std::vector<bool> steps_across = steps(grid.horizontal);
         const std::vector<bool> steps_down = steps(grid.vertical);
-        for (std::size_t i = 1; i < grid.horizontal.size(); ++i)
+        QuarterPoints of_a(a_, grid.vertical);
+        QuarterPoints of_b(b_, grid.vertical);
+        for (std::size_t i = 1; i < grid.horizontal.size(); ++i) {
+            const Interval across{grid.horizontal[i - 1], grid.horizontal[i]};
+            of_a.move_to(across);
+            of_b.move_to(across);
             for (std::size_t j = 1; j < grid.vertical.size(); ++j)
-                cell({grid.horizontal[i - 1], grid.horizontal[i]}, {grid.vertical[j - 1], grid.vertical[j]},
+                cell(across, {grid.vertical[j - 1], grid.vertical[j]}, of_a.corners(j - 1), of_b.corners(j - 1),
                      steps_across[i] || steps_down[j]);
+        }
     }
 
+    // Of two types, of which one is A or B.
     void over_directions() {
         constexpr double step = 0.5;
-        for (int i = 0; i < 720; ++i)
-            for (int j = 0; j <= 360; ++j) {
-                const double c = step * i;
-                const double gamma = step * j;
-                const double a_cd = a_.candela(c, gamma);
-                const double b_cd = b_.candela(c, gamma);
-                look_at({c, gamma}, a_cd, b_cd);
-                square_sum_ += (a_cd - b_cd) * (a_cd - b_cd) * std::sin(gamma * radians_per_degree) * step * step *
-                               radians_per_degree * radians_per_degree;
+        std::vector<double> gammas;
+        for (int j = 0; j <= 360; ++j)
+            gammas.push_back(step * j);
+        RowsOfWeb of_a(a_, gammas);
+        RowsOfWeb of_b(b_, gammas);
+        const double margin_cd = of_a.margin_cd() + of_b.margin_cd();
+        for (int i = 0; i < 720; ++i) {
+            const double c = step * i;
+            const std::vector<double>& a_row = with_squares_ ? of_a.exact(c) : of_a.quick(c);
+            const std::vector<double>& b_row = with_squares_ ? of_b.exact(c) : of_b.quick(c);
+            for (std::size_t j = 0; j < gammas.size(); ++j) {
+                const double d = a_row[j] - b_row[j];
+                if (with_squares_) {
+                    look_at({c, gammas[j]}, a_row[j], b_row[j]);
+                    square_sum_ += d * d * std::sin(gammas[j] * radians_per_degree) * step * step * radians_per_degree *
+                                   radians_per_degree;
+                } else if (std::abs(d) + margin_cd > found_.greatest.value) {
+                    look_at({c, gammas[j]}, a_.candela(c, gammas[j]), b_.candela(c, gammas[j]));
+                }
             }
+        }
         for (const Web* const web : {&a_, &b_})
             for (const double h : web->horizontal_deg())
                 for (const double v : web->vertical_deg()) {
@@ -136,23 +159,88 @@ private:
         double high;
     };
 
-    // The corner values of a bilinear function in a cell, extrapolated from four points inside it, because the web may
-    // jump at the cell's edges.
     // In the order (low, low), (low, high), (high, low), (high, high).
     using Corners = std::array<double, 4>;
-    static Corners corners(const Web& web, Interval h, Interval v) {
-        const auto at = [&](double x, double y) {
-            return web.candela_at(h.low + x * (h.high - h.low), v.low + y * (v.high - v.low));
-        };
-        const auto ends = [](double quarter, double three_quarters) {
-            return std::array{1.5 * quarter - 0.5 * three_quarters, 1.5 * three_quarters - 0.5 * quarter};
-        };
-        const std::array left = ends(at(0.25, 0.25), at(0.25, 0.75));
-        const std::array right = ends(at(0.75, 0.25), at(0.75, 0.75));
-        const std::array low = ends(left[0], right[0]);
-        const std::array high = ends(left[1], right[1]);
-        return {low[0], high[0], low[1], high[1]};
-    }
+
+    // The corner values of a bilinear function in a cell, extrapolated from four points inside it, because the web may
+    // jump at the cell's edges. Of type C, the γ of these points are found in the table once.
+    class QuarterPoints {
+    public:
+        QuarterPoints(const Web& web, const std::vector<double>& vertical) : web_(web) {
+            for (std::size_t j = 1; j < vertical.size(); ++j)
+                for (const double y : {0.25, 0.75})
+                    verticals_deg_.push_back(vertical[j - 1] + y * (vertical[j] - vertical[j - 1]));
+            if (web.photometry() == Photometry::c) rows_.emplace(web, verticals_deg_);
+        }
+
+        // To the cells between two horizontal angles.
+        void move_to(Interval h) {
+            fill(h.low + 0.25 * (h.high - h.low), left_);
+            fill(h.low + 0.75 * (h.high - h.low), right_);
+        }
+
+        // Of the cell that begins at a vertical angle.
+        [[nodiscard]] Corners corners(std::size_t at) const {
+            const auto ends = [](double quarter, double three_quarters) {
+                return std::array{1.5 * quarter - 0.5 * three_quarters, 1.5 * three_quarters - 0.5 * quarter};
+            };
+            const std::array left = ends(left_[2 * at], left_[2 * at + 1]);
+            const std::array right = ends(right_[2 * at], right_[2 * at + 1]);
+            const std::array low = ends(left[0], right[0]);
+            const std::array high = ends(left[1], right[1]);
+            return {low[0], high[0], low[1], high[1]};
+        }
+
+    private:
+        void fill(double horizontal_deg, std::vector<double>& to) const {
+            to.clear();
+            if (rows_) {
+                rows_->append(horizontal_deg, to);
+                return;
+            }
+            for (const double vertical_deg : verticals_deg_)
+                to.push_back(web_.candela_at(horizontal_deg, vertical_deg));
+        }
+
+        const Web& web_;
+        std::vector<double> verticals_deg_;
+        std::optional<web_detail::PlaneRows> rows_;
+        std::vector<double> left_;
+        std::vector<double> right_;
+    };
+
+    // A web of any type at (C, γ), for the same γ on each plane.
+    class RowsOfWeb {
+    public:
+        RowsOfWeb(const Web& web, const std::vector<double>& gammas_deg) : row_(gammas_deg.size()) {
+            if (web.photometry() == Photometry::c)
+                type_c_.emplace(web, gammas_deg);
+            else
+                native_.emplace(web, gammas_deg);
+        }
+
+        const std::vector<double>& exact(double c_deg) { return row(c_deg, false); }
+        // Within margin_cd().
+        const std::vector<double>& quick(double c_deg) { return row(c_deg, true); }
+        [[nodiscard]] double margin_cd() const { return native_ ? native_->margin_cd() : 0.0; }
+
+    private:
+        const std::vector<double>& row(double c_deg, bool is_quick) {
+            if (type_c_) {
+                row_.clear();
+                type_c_->append(c_deg, row_);
+            } else if (is_quick) {
+                native_->quick(c_deg, row_);
+            } else {
+                native_->exact(c_deg, row_);
+            }
+            return row_;
+        }
+
+        std::optional<web_detail::PlaneRows> type_c_;
+        std::optional<web_detail::NativeRows> native_;
+        std::vector<double> row_;
+    };
 
     // Uses the table's own number if it equals the corner value found from within a cell, except for rounding.
     void settle(const Web& web, double top, Candelas& found) const {
@@ -186,9 +274,7 @@ private:
         square_sum_ += sum * (h.high - h.low) * (v.high - v.low) * radians_per_degree * radians_per_degree;
     }
 
-    void cell(Interval h, Interval v, bool in_step) {
-        const Corners a = corners(a_, h, v);
-        const Corners b = corners(b_, h, v);
+    void cell(Interval h, Interval v, const Corners& a, const Corners& b, bool in_step) {
         Corners d{};
         for (std::size_t k = 0; k < 4; ++k) {
             d[k] = a[k] - b[k];
@@ -197,25 +283,34 @@ private:
             else
                 look_at(c_gamma(k < 2 ? h.low : h.high, k % 2 == 0 ? v.low : v.high), a[k], b[k]);
         }
-        add_squares(d, h, v);
+        if (with_squares_) add_squares(d, h, v);
     }
 
     const Web& a_;
     const Web& b_;
     double smallest_deg_;
+    bool with_squares_;
     WebDifference found_;
     double square_sum_ = 0.0;
 };
 
-} // namespace
-
-WebDifference difference(const Web& a, const Web& b, double smallest_deg) {
-    Comparison comparison(a, b, smallest_deg);
+WebDifference compared(const Web& a, const Web& b, double smallest_deg, bool with_squares) {
+    Comparison comparison(a, b, smallest_deg, with_squares);
     if (a.photometry() == b.photometry())
         comparison.over_cells(union_grid(a, b));
     else
         comparison.over_directions();
     return comparison.result();
+}
+
+} // namespace
+
+WebDifference difference(const Web& a, const Web& b, double smallest_deg) {
+    return compared(a, b, smallest_deg, true);
+}
+
+WebDifference web_detail::greatest_difference(const Web& a, const Web& b) {
+    return compared(a, b, 0.0, false);
 }
 
 } // namespace gonio

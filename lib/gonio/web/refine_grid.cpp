@@ -1,8 +1,12 @@
+#include <gonio/web/native_rows.hpp>
 #include <gonio/web/refine_grid.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace gonio::web_detail {
 
@@ -27,15 +31,57 @@ struct Step {
     double error = 0.0;
 };
 
-std::vector<Step> errors_of(const Light& light, const AngleGrid& grid) {
-    const std::vector<double> planes = with_middles(grid.planes_deg);
-    const std::vector<double> gammas = with_middles(grid.gammas_deg);
-    const std::size_t rows = gammas.size();
-    std::vector<double> candela;
-    candela.reserve(planes.size() * rows);
-    for (const double c : planes)
-        for (const double gamma : gammas)
-            candela.push_back(light.candela(c, gamma));
+// Intensities at the angles of a grid and the midpoints between them.
+class Samples {
+public:
+    explicit Samples(const Light& light) : light_(light) {}
+
+    // Those of a finer grid: a direction that the grid before had is not evaluated again.
+    void take(const AngleGrid& grid) {
+        std::vector<double> planes = with_middles(grid.planes_deg);
+        std::vector<double> gammas = with_middles(grid.gammas_deg);
+        const std::vector<std::size_t> of_plane = places(planes, planes_deg);
+        const std::vector<std::size_t> of_gamma = places(gammas, gammas_deg);
+        std::optional<NativeRows> native;
+        if (light_.native != nullptr) native.emplace(*light_.native, gammas);
+        std::vector<double> all;
+        all.reserve(planes.size() * gammas.size());
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            for (std::size_t j = 0; j < gammas.size(); ++j) {
+                const bool is_known = of_plane[i] < planes_deg.size() && of_gamma[j] < gammas_deg.size();
+                all.push_back(is_known ? candela[of_plane[i] * gammas_deg.size() + of_gamma[j]]
+                              : native ? native->exact(planes[i], j)
+                                       : light_.candela(planes[i], gammas[j]));
+            }
+        planes_deg = std::move(planes);
+        gammas_deg = std::move(gammas);
+        candela = std::move(all);
+    }
+
+    std::vector<double> planes_deg;
+    std::vector<double> gammas_deg;
+    std::vector<double> candela; // [plane][γ]
+
+private:
+    // Of each angle its place among others, or their number if it is not among them. Both ascend.
+    static std::vector<std::size_t> places(const std::vector<double>& angles, const std::vector<double>& among) {
+        std::vector<std::size_t> all;
+        std::size_t place = 0;
+        for (const double angle : angles) {
+            while (place < among.size() && among[place] < angle)
+                ++place;
+            all.push_back(place < among.size() && among[place] == angle ? place : among.size());
+        }
+        return all;
+    }
+
+    const Light& light_;
+};
+
+std::vector<Step> errors_of(const Samples& samples) {
+    const std::vector<double>& planes = samples.planes_deg;
+    const std::vector<double>& candela = samples.candela;
+    const std::size_t rows = samples.gammas_deg.size();
     std::vector<Step> steps;
     for (std::size_t i = 1; i < planes.size(); i += 2) {
         Step step{true, i / 2, 0.0};
@@ -58,8 +104,10 @@ std::vector<Step> errors_of(const Light& light, const AngleGrid& grid) {
 } // namespace
 
 AngleGrid refined_grid(const Light& light, AngleGrid grid, Candelas limit) {
+    Samples samples(light);
     for (;;) {
-        std::vector<Step> steps = errors_of(light, grid);
+        samples.take(grid);
+        std::vector<Step> steps = errors_of(samples);
         const auto angles_of_axis = [&](const Step& step) -> std::vector<double>& {
             return step.of_planes ? grid.planes_deg : grid.gammas_deg;
         };

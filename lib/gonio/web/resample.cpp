@@ -2,8 +2,10 @@
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/native_rows.hpp>
 #include <gonio/web/plane_range.hpp>
 #include <gonio/web/plane_rows.hpp>
+#include <gonio/web/quick_web.hpp>
 #include <gonio/web/refine_grid.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/resample_light.hpp>
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -82,6 +85,19 @@ void measure(const web_detail::Light& before, ResampledWeb& result) {
             for (std::size_t j = 0; j < gammas.size(); ++j)
                 if (std::abs(there[j] - here[j]) > result.max_error.value) worst.look_at(c, gammas[j]);
         }
+    } else if (before.native != nullptr) {
+        web_detail::NativeRows of_before(*before.native, gammas);
+        const web_detail::PlaneRows of_result(result.web, gammas);
+        std::vector<double> here(gammas.size());
+        std::vector<double> there;
+        for (const double c : planes) {
+            there.clear();
+            of_before.quick(c, here);
+            of_result.append(c, there);
+            for (std::size_t j = 0; j < gammas.size(); ++j)
+                if (std::abs(there[j] - here[j]) + of_before.margin_cd() > result.max_error.value)
+                    worst.look_at(c, gammas[j]);
+        }
     } else {
         for (const double c : planes)
             for (const double gamma : gammas)
@@ -103,19 +119,25 @@ std::vector<double> gammas_of_native(const Web& web) {
 web_detail::Light light_of(const Web& web) {
     return {[&web](double c, double gamma) { return web.candela(c, gamma); }, web_detail::table_directions(web),
             web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web),
-            web.photometry() == Photometry::c ? &web : nullptr};
+            web.photometry() == Photometry::c ? &web : nullptr, web.photometry() == Photometry::c ? nullptr : &web};
 }
 
 // The range of whole degrees of γ that contains light; high is below low if there is none.
 AngleRange bright_gammas(const web_detail::Light& light) {
+    const std::optional<QuickWeb> quick =
+        light.native != nullptr ? std::optional<QuickWeb>(*light.native) : std::nullopt;
+    const auto is_lit = [&](int gamma) {
+        if (quick) return web_detail::is_lit_at(*light.native, *quick, gamma);
+        for (int c = 0; c < 360; ++c)
+            if (light.candela(c, gamma) != 0.0) return true;
+        return false;
+    };
     AngleRange range{180.0, 0.0};
     for (int gamma = 0; gamma <= 180; ++gamma)
-        for (int c = 0; c < 360; ++c)
-            if (light.candela(c, gamma) != 0.0) {
-                range.low = std::min(range.low, static_cast<double>(gamma));
-                range.high = std::max(range.high, static_cast<double>(gamma));
-                break;
-            }
+        if (is_lit(gamma)) {
+            range.low = std::min(range.low, static_cast<double>(gamma));
+            range.high = std::max(range.high, static_cast<double>(gamma));
+        }
     return range;
 }
 
@@ -172,6 +194,13 @@ Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<d
         const PlaneRows rows(*light.type_c, gammas_deg);
         for (const double c : planes_deg)
             rows.append(c, candela);
+    } else if (light.native != nullptr) {
+        const NativeRows rows(*light.native, gammas_deg);
+        std::vector<double> row(gammas_deg.size());
+        for (const double c : planes_deg) {
+            rows.exact(c, row);
+            candela.insert(candela.end(), row.begin(), row.end());
+        }
     } else {
         for (const double c : planes_deg)
             for (const double gamma : gammas_deg)

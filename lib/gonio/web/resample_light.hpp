@@ -16,6 +16,7 @@ struct Light {
     std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is evaluated there too
     std::vector<double> gammas_deg = {};  // γ of bends that follow a C-plane: a chosen grid includes them
     const Web* type_c = nullptr;          // the web whose light this is, if that is of type C: the same, but faster
+    const Web* native = nullptr;          // the same of type A or B
 };
 
 // (C, γ) of every point of a web's table, without mirror images.

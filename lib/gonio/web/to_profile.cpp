@@ -1,7 +1,7 @@
 #include <gonio/base/charconv.hpp>
 #include <gonio/profile/write.hpp>
-#include <gonio/web/compare.hpp>
 #include <gonio/web/goniometer.hpp>
+#include <gonio/web/greatest_difference.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/make_profile.hpp>
 #include <gonio/web/metrics.hpp>
@@ -266,7 +266,7 @@ ConversionError conversion_error(const Web& source, const Web& made) {
     ConversionError error;
     const double bright = std::abs(peak(source).intensity.value);
     if (source.photometry() != made.photometry()) {
-        const WebDifference found = difference(source, made);
+        const WebDifference found = web_detail::greatest_difference(source, made);
         return {found.greatest, bright > 0.0 ? found.greatest.value / bright : 0.0, found.c_deg, found.gamma_deg};
     }
     double greatest = -1.0;
