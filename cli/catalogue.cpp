@@ -64,11 +64,11 @@ Share share_of(const Catalogue& catalogue) {
 
 int run_catalogue(const Batch& batch, const Catalogue& catalogue, const std::string& recipe, ReportKind kind,
                   Console& console, const std::function<Result<Made>(std::size_t)>& work) {
-    std::vector<ManifestAsset> assets(batch.inputs.size());
+    std::vector<ManifestAsset> assets(catalogue.manifest ? batch.inputs.size() : 0);
     int status = run_batch(batch, kind, console, [&](std::size_t index) {
         Result<Made> made = work(index);
         if (made) {
-            assets[index] = std::move(made->asset);
+            if (catalogue.manifest) assets[index] = std::move(made->asset);
             return std::move(made->outcome);
         }
         Outcome failed;

@@ -1,5 +1,6 @@
 #include <gonio/light/luminous_body.hpp>
 #include <gonio/web/integrate.hpp>
+#include <gonio/web/quick_web.hpp>
 #include <gonio/web/zones.hpp>
 
 #include <glm/geometric.hpp>
@@ -7,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gonio {
 
@@ -28,14 +31,31 @@ Lumens flux_towards(const Web& web, const glm::dvec3& normal) {
     if (normal == -up) return zone_flux(web, 0.0, 90.0);
     constexpr int rows = 180;
     constexpr int columns = 360;
+    const QuickWeb quick(web);
+    std::vector<glm::dvec3> azimuths; // the sine of 90° is 1
+    for (int column = 0; column < columns; ++column)
+        azimuths.push_back(direction_of({Radians((column + 0.5) * 2.0 * pi / columns), Radians(0.5 * pi)}));
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    std::vector<double> candela(columns);
     double sum = 0.0;
     for (int row = 0; row < rows; ++row) {
-        const double gamma = (row + 0.5) * pi / rows;
-        for (int column = 0; column < columns; ++column) {
-            const double c = (column + 0.5) * 2.0 * pi / columns;
-            const glm::dvec3 direction = direction_of({Radians(c), Radians(gamma)});
-            if (glm::dot(direction, normal) > 0.0) sum += std::max(web.candela(direction), 0.0) * std::sin(gamma);
+        const Radians gamma((row + 0.5) * pi / rows);
+        const double sine = std::sin(gamma.value);
+        for (std::vector<double>* const numbers : {&x, &y, &z})
+            numbers->clear();
+        for (const glm::dvec3& azimuth : azimuths) {
+            const glm::dvec3 direction(sine * azimuth.x, sine * azimuth.y, -std::cos(gamma.value));
+            if (!(glm::dot(direction, normal) > 0.0)) continue;
+            x.push_back(direction.x);
+            y.push_back(direction.y);
+            z.push_back(direction.z);
         }
+        const std::span<double> found(candela.data(), x.size());
+        quick.candela(x, y, z, found);
+        for (const double cd : found)
+            sum += std::max(cd, 0.0) * sine;
     }
     return Lumens(sum * (pi / rows) * (2.0 * pi / columns));
 }
@@ -137,7 +157,8 @@ std::optional<LuminousBody> LuminousBody::of(const Opening& opening, const Web& 
         body.flux_behind_ = flux_towards(web, back);
         for (const bool front : {true, false}) {
             const glm::dvec3 normal = front ? -back : back;
-            if (!(flux_towards(web, normal).value > 0.0)) continue;
+            const Lumens flux_there = front ? flux_towards(web, normal) : body.flux_behind_;
+            if (!(flux_there.value > 0.0)) continue;
             if (is_round(opening.shape))
                 body.add_disk({}, normal, along, width_m, height_m);
             else

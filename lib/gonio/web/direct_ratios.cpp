@@ -1,4 +1,5 @@
 #include <gonio/web/direct_ratios.hpp>
+#include <gonio/web/plane_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +22,15 @@ double azimuth_deg(std::size_t i) {
 // Light at one γ, summed over the four azimuths that are mirror images of each other.
 using Quarter = std::array<double, quarter>;
 
-// Azimuths between the stored planes: a look-up for each γ and plane, none for each azimuth.
+// Azimuths between the stored planes: a look-up for each γ, none for each azimuth.
 class FoldedRing {
 public:
-    explicit FoldedRing(const Web& web) : web_(web) {
+    FoldedRing(const Web& web, std::span<const double> gammas_deg) : web_(web), gammas_deg_(gammas_deg) {
         if (web.photometry() != Photometry::c) return;
         const std::span<const double> planes = web.planes_deg();
-        ring_.resize(planes.size());
+        const web_detail::PlaneRows rows(web, gammas_deg);
+        for (const double plane : planes)
+            rows.append(plane, candela_);
         for (std::size_t i = 0; i < 4 * quarter; ++i) {
             const double c_deg = web.folded_c_deg(azimuth_deg(i));
             if (web.stored_symmetry() == Symmetry::axial) {
@@ -44,17 +47,17 @@ public:
         }
     }
 
-    Quarter at(double gamma_deg) {
+    // At one of the γ.
+    [[nodiscard]] Quarter at(std::size_t gamma) const {
         Quarter light{};
         if (web_.photometry() != Photometry::c) {
             for (std::size_t i = 0; i < 4 * quarter; ++i)
-                light[mirrored(i)] += std::max(0.0, web_.candela(azimuth_deg(i), gamma_deg));
+                light[mirrored(i)] += std::max(0.0, web_.candela(azimuth_deg(i), gammas_deg_[gamma]));
             return light;
         }
-        for (std::size_t plane = 0; plane < ring_.size(); ++plane)
-            ring_[plane] = web_.candela(web_.planes_deg()[plane], gamma_deg);
+        const auto on_plane = [&](std::size_t plane) { return candela_[plane * gammas_deg_.size() + gamma]; };
         for (const Cell& cell : cells_)
-            light[cell.to] += std::max(0.0, std::lerp(ring_[cell.low], ring_[cell.high], cell.weight));
+            light[cell.to] += std::max(0.0, std::lerp(on_plane(cell.low), on_plane(cell.high), cell.weight));
         return light;
     }
 
@@ -72,8 +75,9 @@ private:
     }
 
     const Web& web_;
+    std::span<const double> gammas_deg_;
     std::vector<Cell> cells_;
-    std::vector<double> ring_;
+    std::vector<double> candela_; // [plane][γ]
 };
 
 } // namespace
@@ -87,22 +91,30 @@ std::array<double, 10> direct_ratios(const Web& web) {
         across.at(i) = std::cos(azimuth_deg(i) * radians_per_degree);
         along.at(i) = std::sin(azimuth_deg(i) * radians_per_degree);
     }
-    FoldedRing ring(web);
+    std::array<double, 90 * gamma_parts> gammas_deg{};
+    for (std::size_t j = 0; j < gammas_deg.size(); ++j)
+        gammas_deg.at(j) = (static_cast<double>(j) + 0.5) / gamma_parts;
+    const FoldedRing ring(web, gammas_deg);
     std::array<double, 10> direct{};
     double down = 0.0;
-    for (int j = 0; j < 90 * gamma_parts; ++j) {
-        const double gamma_deg = (j + 0.5) / gamma_parts;
+    for (std::size_t j = 0; j < gammas_deg.size(); ++j) {
+        const double gamma_deg = gammas_deg.at(j);
         const double out = std::tan(gamma_deg * radians_per_degree); // over the height of the fall
         const double weight = std::sin(gamma_deg * radians_per_degree);
         std::array<double, 10> reach{}; // over the side of the room
         for (std::size_t k = 0; k < indices.size(); ++k)
             reach[k] = out / (2.0 * indices[k]);
-        const Quarter light = ring.at(gamma_deg);
+        const Quarter light = ring.at(j);
         for (std::size_t i = 0; i < quarter; ++i) {
             const double weighted = weight * light[i];
             if (weighted == 0.0) continue;
             down += weighted;
-            for (std::size_t k = 0; k < indices.size(); ++k)
+            // In the smallest rooms, all of it meets a wall.
+            const double farthest = std::max(across[i], along[i]);
+            std::size_t first = 0;
+            while (first < indices.size() && !(1.0 - reach[first] * farthest > 0.0))
+                ++first;
+            for (std::size_t k = first; k < indices.size(); ++k)
                 direct[k] +=
                     weighted * std::max(0.0, 1.0 - reach[k] * across[i]) * std::max(0.0, 1.0 - reach[k] * along[i]);
         }
