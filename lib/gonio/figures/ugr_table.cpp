@@ -211,6 +211,7 @@ Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOpti
     const ZonalFlux flux(web);
     UgrTable table{};
     bool is_seen = false;
+    std::array<std::array<double, ugr_reflectances.size()>, ugr_rooms.size()> backgrounds_nt{};
     for (const bool endwise : {false, true}) {
         const Figure<GlareSums> sums = GlareSums::of(glare, options.spacing, endwise);
         if (!sums) return tl::unexpected(sums.error());
@@ -218,8 +219,9 @@ Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOpti
             const FirstFall first = flux.first_fall(ugr_rooms[row]);
             const double glare_sum = (*sums)(ugr_rooms[row]);
             for (std::size_t column = 0; column < ugr_reflectances.size(); ++column) {
-                const double background =
-                    background_nt(ugr_rooms[row], ugr_reflectances[column], first, options.spacing);
+                double& background = backgrounds_nt[row][column]; // whichever way the room is seen
+                if (!endwise)
+                    background = background_nt(ugr_rooms[row], ugr_reflectances[column], first, options.spacing);
                 if (!(background > 0.0)) return no_figure("no light is reflected in the standard rooms");
                 is_seen = is_seen || glare_sum > 0.0;
                 table[row][column + (endwise ? ugr_reflectances.size() : 0)] =

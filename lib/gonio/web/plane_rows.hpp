@@ -24,7 +24,7 @@ private:
         double weight = 0.0;
         bool inside = false;
     };
-    static Place place_of(std::span<const double> angles_deg, double angle_deg);
+    static Place place_of(std::span<const double> angles_deg, double angle_deg, std::size_t guess);
 
     const Web& web_;
     std::vector<Place> rows_;
