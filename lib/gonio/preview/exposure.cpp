@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -20,6 +21,95 @@ constexpr double least_white = 200.0;
 // Of the weight of all lit pixels.
 constexpr double least_share_of_subject = 0.5;
 
+struct Metered {
+    double luminance;
+    bool is_subject;
+};
+
+// Lit pixels with weights that add up to their number.
+class MeteredPixels {
+public:
+    explicit MeteredPixels(std::vector<Metered> pixels) : pixels_(std::move(pixels)), rest_(pixels_.begin()) {
+        const double of_subject = subjects(pixels_.begin(), pixels_.end());
+        const bool is_small = of_subject > 0.0 && of_subject < least_share_of_subject * count();
+        if (!is_small) return;
+        subject_weight_ = least_share_of_subject * count() / of_subject;
+        other_weight_ = (1.0 - least_share_of_subject) * count() / (count() - of_subject);
+    }
+
+    double count() const { return static_cast<double>(pixels_.size()); }
+
+    double geometric_mean() const {
+        Logarithms of_subject;
+        Logarithms of_others;
+        for (const Metered& pixel : pixels_)
+            (pixel.is_subject ? of_subject : of_others).add(pixel.luminance);
+        return std::exp((subject_weight_ * of_subject.sum() + other_weight_ * of_others.sum()) / count());
+    }
+
+    // The luminance that one in `share` of the weight is above; each call with a greater share than the one before. It
+    // divides the pixels instead of sorting them.
+    double below_one_in(double share) {
+        const double below = (count() - 1.0) * (share - 1.0) / share;
+        auto last = pixels_.end();
+        while (last - rest_ > 1) {
+            const auto middle = rest_ + (last - rest_) / 2;
+            std::nth_element(rest_, middle, last,
+                             [](const Metered& a, const Metered& b) { return a.luminance < b.luminance; });
+            const double lower = weight(rest_, middle);
+            if (left_ + lower > below) {
+                last = middle;
+            } else {
+                left_ += lower;
+                rest_ = middle;
+            }
+        }
+        return rest_->luminance;
+    }
+
+private:
+    using Pixels = std::vector<Metered>;
+
+    // The sum of many logarithms as that of their products: all luminances are floats.
+    class Logarithms {
+    public:
+        void add(double luminance) {
+            product_ *= luminance;
+            if (++factors_ == 4) take_product();
+        }
+        double sum() {
+            take_product();
+            return sum_;
+        }
+
+    private:
+        void take_product() {
+            sum_ += std::log(product_);
+            product_ = 1.0;
+            factors_ = 0;
+        }
+
+        double sum_ = 0.0;
+        double product_ = 1.0;
+        int factors_ = 0;
+    };
+
+    static double subjects(Pixels::const_iterator first, Pixels::const_iterator last) {
+        return static_cast<double>(
+            std::count_if(first, last, [](const Metered& pixel) { return pixel.is_subject; }));
+    }
+    double weight(Pixels::const_iterator first, Pixels::const_iterator last) const {
+        const double of_subject = subjects(first, last);
+        return subject_weight_ * of_subject + other_weight_ * (static_cast<double>(last - first) - of_subject);
+    }
+
+    Pixels pixels_;
+    double subject_weight_ = 1.0;
+    double other_weight_ = 1.0;
+    Pixels::iterator rest_; // all before it are at most as bright, and weigh `left_`
+    double left_ = 0.0;
+};
+
 } // namespace
 
 Nits white_luminance(Ev100 ev) {
@@ -28,44 +118,21 @@ Nits white_luminance(Ev100 ev) {
 
 Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out,
                     std::span<const std::uint8_t> subject) {
-    struct Metered {
-        double luminance;
-        bool is_subject;
-    };
-    std::vector<Metered> pixels;
-    pixels.reserve(rgb_nits.pixels.size() / 3);
+    std::vector<Metered> lit;
+    lit.reserve(rgb_nits.pixels.size() / 3);
     for (std::size_t i = 0; i + 2 < rgb_nits.pixels.size(); i += 3) {
         if (!left_out.empty() && left_out[i / 3] != 0) continue;
         const glm::dvec3 rgb(rgb_nits.pixels[i], rgb_nits.pixels[i + 1], rgb_nits.pixels[i + 2]);
         const double y = glm::dot(rgb, rec709_luminance);
-        if (y > 0.0) pixels.push_back({y, !subject.empty() && subject[i / 3] != 0});
+        if (y > 0.0) lit.push_back({y, !subject.empty() && subject[i / 3] != 0});
     }
-    if (pixels.empty()) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
-    const auto all = static_cast<double>(pixels.size());
-    const auto of_subject = static_cast<double>(
-        std::count_if(pixels.begin(), pixels.end(), [](const Metered& pixel) { return pixel.is_subject; }));
-    // The weights of all pixels add up to their number.
-    const bool is_small = of_subject > 0.0 && of_subject < least_share_of_subject * all;
-    const double subject_weight = is_small ? least_share_of_subject * all / of_subject : 1.0;
-    const double other_weight = is_small ? (1.0 - least_share_of_subject) * all / (all - of_subject) : 1.0;
-    const auto weight = [&](const Metered& pixel) { return pixel.is_subject ? subject_weight : other_weight; };
-    double logarithms = 0.0;
-    for (const Metered& pixel : pixels)
-        logarithms += weight(pixel) * std::log(pixel.luminance);
-    const double mean = std::exp(logarithms / all);
-    std::sort(pixels.begin(), pixels.end(),
-              [](const Metered& a, const Metered& b) { return a.luminance < b.luminance; });
-    const auto above = [&](double share) { // which one in `share` of the weight is above
-        const double below = (all - 1.0) * (share - 1.0) / share;
-        double sum = 0.0;
-        for (const Metered& pixel : pixels) {
-            sum += weight(pixel);
-            if (sum > below) return pixel.luminance;
-        }
-        return pixels.back().luminance;
-    };
+    if (lit.empty()) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
+    MeteredPixels pixels(std::move(lit));
     constexpr double middle_grey = 0.18;
-    return Ev100(std::log2(std::clamp(mean / middle_grey, above(most_white), above(least_white)) / 1.2));
+    const double from_mean = pixels.geometric_mean() / middle_grey;
+    const double least = pixels.below_one_in(most_white);
+    const double most = pixels.below_one_in(least_white);
+    return Ev100(std::log2(std::clamp(from_mean, least, most) / 1.2));
 }
 
 Ev100 exposure_of_card(Lux on_card) {

@@ -32,14 +32,6 @@ LitTile::LitTile(const LitScene& scene, const RenderOptions& options, const RayS
       shader_(scene),
       soft_shadow_(scene) {}
 
-LitTile::Place LitTile::place_of(const Seen& seen) {
-    return {seen.hit.surface, seen.hit.position, seen.hit.normal, seen.view};
-}
-
-LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
-    return {samples.surface, samples.position_of(i), samples.normal_of(i), samples.view_of(i)};
-}
-
 void LitTile::light_up() {
     show_emitters();
     if (options_.shows_sky) show_sky();
@@ -267,16 +259,40 @@ bool LitTile::find_groups(const LitLight& light) {
     return !groups_.empty();
 }
 
-LitTile::Visible LitTile::visible(const LitLight& light, const Place& place) {
-    ++stats_.shadow_tested;
+const std::vector<LitTile::Visible>& LitTile::visible_at(const LitLight& light, std::size_t surface,
+                                                         const ShadowPoints& points) {
+    stats_.shadow_tested += points.size();
+    visible_at_.assign(points.size(), Visible());
     if (!scene_.has_soft_shadow(light)) {
-        const auto share = static_cast<float>(scene_.visible_center(light, place.surface, place.position));
-        return {share, glm::vec3(share)};
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto share = static_cast<float>(scene_.visible_center(light, surface, points.position(i)));
+            visible_at_[i] = {share, glm::vec3(share)};
+        }
+        return visible_at_;
     }
-    const double share = soft_shadow_.visible(place.surface, place.position, place.normal);
-    if (share == 1.0) return {};
-    if (share > 0.0) ++stats_.in_penumbra;
-    return {static_cast<float>(share), soft_shadow_.visible_luminance(place.view)};
+    const std::span<const VisibleShare> shares = soft_shadow_.visible(surface, points, true);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (shares[i].lx == 1.0) continue;
+        if (shares[i].lx > 0.0) ++stats_.in_penumbra;
+        visible_at_[i] = {static_cast<float>(shares[i].lx), shares[i].rgb};
+    }
+    return visible_at_;
+}
+
+void LitTile::find_centers() {
+    const SeenRays& all = tile_.centers();
+    std::vector<std::size_t> place(scene_.stage.surfaces.size(), no_surface);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!all.is_surface(i)) continue;
+        const std::size_t surface = all.surface_of(i);
+        if (place[surface] == no_surface) {
+            place[surface] = centers_.size();
+            centers_.emplace_back().surface = surface;
+        }
+        Centers& centers = centers_[place[surface]];
+        centers.index.push_back(static_cast<std::uint32_t>(i));
+        centers.points.add(all.position_of(i), all.normal_of(i), all.view_of(i));
+    }
 }
 
 void LitTile::find_shadows(const LitLight& light) {
@@ -291,12 +307,14 @@ void LitTile::find_shadows(const LitLight& light) {
         is_shadowed_ = is_shadowed_ || !bodies.empty();
     }
     if (!is_shadowed_) return;
-    const SeenRays& centers = tile_.centers();
-    center_visible_.assign(centers.size(), Visible());
-    for (std::size_t i = 0; i < centers.size(); ++i)
-        if (centers.is_surface(i) && !light.light.is_emitted_by(centers.surface_of(i)))
-            center_visible_[i] = visible(
-                light, {centers.surface_of(i), centers.position_of(i), centers.normal_of(i), centers.view_of(i)});
+    if (centers_.empty()) find_centers();
+    center_visible_.assign(tile_.centers().size(), Visible());
+    for (const Centers& centers : centers_) {
+        if (light.light.is_emitted_by(centers.surface)) continue;
+        const std::vector<Visible>& visible = visible_at(light, centers.surface, centers.points);
+        for (std::size_t i = 0; i < visible.size(); ++i)
+            center_visible_[centers.index[i]] = visible[i];
+    }
     find_edges();
 }
 
@@ -331,13 +349,16 @@ void LitTile::shade(const LitLight& light, const Group& group) {
         if (is_shadowed_) {
             weight_.assign(weight, weight + chunk.count);
             visible_.resize(chunk.count);
+            within_.clear();
+            for (std::size_t i = chunk.first; i < chunk.first + chunk.count; ++i)
+                if (samples.center[i] < 0)
+                    within_.add(samples.position_of(i), samples.normal_of(i), samples.view_of(i));
+            std::size_t of_within = 0;
+            const std::vector<Visible>& visible_within = visible_at(light, samples.surface, within_);
             for (std::size_t i = 0; i < chunk.count; ++i) {
-                const std::size_t sample = chunk.first + i;
-                const std::int32_t center = samples.center[sample];
-                if (center < 0)
-                    visible_[i] = visible(light, place_of(samples, sample));
-                else
-                    visible_[i] = center_visible_[static_cast<std::size_t>(center)];
+                const std::int32_t center = samples.center[chunk.first + i];
+                visible_[i] =
+                    center < 0 ? visible_within[of_within++] : center_visible_[static_cast<std::size_t>(center)];
                 if (visible_[i].is_none() || (center >= 0 && on_shadow_edge_[static_cast<std::size_t>(center)] != 0))
                     weight_[i] = 0.0F;
             }
@@ -356,28 +377,36 @@ void LitTile::shade(const LitLight& light, const Group& group) {
 void LitTile::shade_edges(const LitLight& light) {
     if (!is_shadowed_ || edges_.empty()) return;
     struct Edge {
-        SurfaceSamples samples;
-        std::vector<Visible> visible;
+        std::size_t surface;
+        ShadowPoints points;
+        std::vector<std::uint32_t> pixel;
     };
     std::vector<Edge> by_surface;
     for (const std::size_t center : edges_)
         for (const Seen& seen : tile_.fine(center)) {
             if (seen.what != Seen::What::surface || light.light.is_emitted_by(seen.hit.surface)) continue;
-            const Visible through = visible(light, place_of(seen));
-            if (through.is_none()) continue;
             auto found = std::find_if(by_surface.begin(), by_surface.end(),
-                                      [&](const Edge& edge) { return edge.samples.surface == seen.hit.surface; });
+                                      [&](const Edge& edge) { return edge.surface == seen.hit.surface; });
             if (found == by_surface.end()) {
-                by_surface.emplace_back().samples.surface = seen.hit.surface;
+                by_surface.emplace_back().surface = seen.hit.surface;
                 found = by_surface.end() - 1;
             }
-            found->samples.add({seen.hit.position, seen.hit.normal, seen.view}, tile_.pixel_of(center),
-                               1.0 / (edge_samples * edge_samples), -1);
-            found->visible.push_back(through);
+            found->points.add(seen.hit.position, seen.hit.normal, seen.view);
+            found->pixel.push_back(tile_.pixel_of(center));
         }
     for (const Edge& edge : by_surface) {
-        stats_.at_shadow_edges += edge.samples.size();
-        shade(light, edge.samples, 0, edge.samples.size(), edge.samples.share.data(), edge.visible.data());
+        const std::vector<Visible>& visible = visible_at(light, edge.surface, edge.points);
+        SurfaceSamples samples;
+        samples.surface = edge.surface;
+        visible_.clear();
+        for (std::size_t i = 0; i < visible.size(); ++i) {
+            if (visible[i].is_none()) continue;
+            samples.add({edge.points.position(i), edge.points.normal(i), edge.points.view(i)}, edge.pixel[i],
+                        1.0 / (edge_samples * edge_samples), -1);
+            visible_.push_back(visible[i]);
+        }
+        stats_.at_shadow_edges += samples.size();
+        shade(light, samples, 0, samples.size(), samples.share.data(), visible_.data());
     }
 }
 

@@ -2,6 +2,7 @@
 // packs.
 #pragma once
 
+#include <gonio/simd/doubles.hpp>
 #include <gonio/simd/twin.hpp>
 
 namespace gonio::shading {

@@ -28,6 +28,15 @@ struct Native<neon> {
     GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
         return vbslq_f32(reinterpret_cast<uint32x4_t>(mask), a, b);
     }
+    template<class Mask>
+    GONIO_FORCE_INLINE static half_double select(Mask mask, half_double a, half_double b) {
+        return vbslq_f64(reinterpret_cast<uint64x2_t>(mask), a, b);
+    }
+    GONIO_FORCE_INLINE static half_double sqrt(half_double x) { return vsqrtq_f64(x); }
+    GONIO_FORCE_INLINE static int sign_bits(half_double x) {
+        const uint64x2_t signs = vshrq_n_u64(vreinterpretq_u64_f64(x), 63);
+        return static_cast<int>(vgetq_lane_u64(signs, 0) | vgetq_lane_u64(signs, 1) << 1);
+    }
     // Bit i is the sign of lane i.
     GONIO_FORCE_INLINE static int sign_bits(real x) {
         const int32x4_t shifts = {0, 1, 2, 3};

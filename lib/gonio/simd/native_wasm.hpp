@@ -35,6 +35,14 @@ struct Native<wasm128> {
     GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
         return reinterpret_cast<real>(wasm_v128_bitselect(v128(a), v128(b), v128(mask)));
     }
+    template<class Mask>
+    GONIO_FORCE_INLINE static half_double select(Mask mask, half_double a, half_double b) {
+        return reinterpret_cast<half_double>(wasm_v128_bitselect(v128(a), v128(b), v128(mask)));
+    }
+    GONIO_FORCE_INLINE static half_double sqrt(half_double x) {
+        return reinterpret_cast<half_double>(wasm_f64x2_sqrt(v128(x)));
+    }
+    GONIO_FORCE_INLINE static int sign_bits(half_double x) { return static_cast<int>(wasm_i64x2_bitmask(v128(x))); }
     // Bit i is the sign of lane i.
     GONIO_FORCE_INLINE static int sign_bits(real x) { return static_cast<int>(wasm_i32x4_bitmask(v128(x))); }
     static constexpr int all_sign_bits = 0xF;

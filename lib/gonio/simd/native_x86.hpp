@@ -31,7 +31,14 @@ struct Native<sse2> {
         const real m = reinterpret_cast<real>(mask);
         return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b));
     }
+    template<class Mask>
+    GONIO_FORCE_INLINE static half_double select(Mask mask, half_double a, half_double b) {
+        const half_double m = reinterpret_cast<half_double>(mask);
+        return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
+    }
+    GONIO_FORCE_INLINE static half_double sqrt(half_double x) { return _mm_sqrt_pd(x); }
     GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm_movemask_ps(x); }
+    GONIO_FORCE_INLINE static int sign_bits(half_double x) { return _mm_movemask_pd(x); }
     static constexpr int all_sign_bits = 0xF;
     GONIO_FORCE_INLINE static half_double low(real x) { return _mm_cvtps_pd(x); }
     GONIO_FORCE_INLINE static half_double high(real x) { return _mm_cvtps_pd(_mm_movehl_ps(x, x)); }
@@ -72,7 +79,13 @@ struct Native<avx2> {
     GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
         return _mm256_blendv_ps(b, a, reinterpret_cast<real>(mask));
     }
+    template<class Mask>
+    GONIO_FORCE_INLINE static half_double select(Mask mask, half_double a, half_double b) {
+        return _mm256_blendv_pd(b, a, reinterpret_cast<half_double>(mask));
+    }
+    GONIO_FORCE_INLINE static half_double sqrt(half_double x) { return _mm256_sqrt_pd(x); }
     GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm256_movemask_ps(x); }
+    GONIO_FORCE_INLINE static int sign_bits(half_double x) { return _mm256_movemask_pd(x); }
     static constexpr int all_sign_bits = 0xFF;
     GONIO_FORCE_INLINE static half_double low(real x) { return _mm256_cvtps_pd(_mm256_castps256_ps128(x)); }
     GONIO_FORCE_INLINE static half_double high(real x) { return _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1)); }
@@ -119,7 +132,13 @@ struct Native<avx512> {
     GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
         return _mm512_mask_blend_ps(_mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)), b, a);
     }
+    template<class Mask>
+    GONIO_FORCE_INLINE static half_double select(Mask mask, half_double a, half_double b) {
+        return _mm512_mask_blend_pd(_mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)), b, a);
+    }
+    GONIO_FORCE_INLINE static half_double sqrt(half_double x) { return _mm512_sqrt_pd(x); }
     GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm512_movepi32_mask(_mm512_castps_si512(x)); }
+    GONIO_FORCE_INLINE static int sign_bits(half_double x) { return _mm512_movepi64_mask(_mm512_castpd_si512(x)); }
     static constexpr int all_sign_bits = 0xFFFF;
     GONIO_FORCE_INLINE static half_double low(real x) { return _mm512_cvtps_pd(_mm512_castps512_ps256(x)); }
     GONIO_FORCE_INLINE static half_double high(real x) { return _mm512_cvtps_pd(_mm512_extractf32x8_ps(x, 1)); }

@@ -2,6 +2,7 @@
 // for a set.
 #pragma once
 
+#include <gonio/simd/doubles.hpp>
 #include <gonio/simd/pack.hpp>
 
 #include <cstddef>
@@ -15,7 +16,7 @@ struct Packet {
     std::size_t first;
     std::size_t count;
 
-    GONIO_FORCE_INLINE S load(const float* from) const {
+    GONIO_FORCE_INLINE S load(const value_of<S>* from) const {
         S value;
         if (count == Traits<S>::lanes) {
             simd::load(from + first, value);
@@ -24,7 +25,7 @@ struct Packet {
         }
         return value;
     }
-    GONIO_FORCE_INLINE void store(S value, float* to) const {
+    GONIO_FORCE_INLINE void store(S value, value_of<S>* to) const {
         if (count == Traits<S>::lanes) {
             simd::store(value, to + first);
         } else {

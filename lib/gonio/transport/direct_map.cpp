@@ -207,13 +207,25 @@ private:
     // The points of a patch come one after the other.
     std::vector<double> visible_shares(const LitLight& light, const SurfaceSamples& of, bool is_shadowed) {
         std::vector<double> shares(of.size(), 1.0);
+        if (!is_shadowed) return shares;
+        const bool is_soft = scene_.has_soft_shadow(light);
+        std::vector<std::size_t> behind; // the samples that something may hide, if shadows are soft
+        ShadowPoints points;
         bool may_be_hidden = false;
-        for (std::size_t i = 0; is_shadowed && i < of.size(); ++i) {
+        for (std::size_t i = 0; i < of.size(); ++i) {
             if (i == 0 || of.pixel[i] != of.pixel[i - 1]) may_be_hidden = has_shadow(light, of.pixel[i]);
             if (!may_be_hidden) continue;
-            shares[i] = scene_.has_soft_shadow(light) ? shadow_.visible(of.surface, of.position_of(i), of.normal_of(i))
-                                                      : scene_.visible_center(light, of.surface, of.position_of(i));
+            if (!is_soft) {
+                shares[i] = scene_.visible_center(light, of.surface, of.position_of(i));
+                continue;
+            }
+            behind.push_back(i);
+            points.add(of.position_of(i), of.normal_of(i));
         }
+        if (behind.empty()) return shares;
+        const std::span<const VisibleShare> visible = shadow_.visible(of.surface, points, false);
+        for (std::size_t i = 0; i < behind.size(); ++i)
+            shares[behind[i]] = visible[i].lx;
         return shares;
     }
 

@@ -33,7 +33,9 @@ double visible_share_of(const detail::LitScene& scene, const detail::LitLight& l
     bodies.resize(scene.stage.surfaces.size());
     std::iota(bodies.begin(), bodies.end(), 0U);
     if (light.light.emitted_by) std::erase(bodies, static_cast<std::uint32_t>(light.light.emitted_by->surface));
-    return shadow.visible(0, position, normal);
+    detail::ShadowPoints point;
+    point.add(position, normal);
+    return shadow.visible(0, point, false).front().lx;
 }
 
 // The mean over the faces of a luminaire, weighted by their illuminance.

@@ -2,7 +2,7 @@
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/material_description.hpp>
 #include <gonio/scene/occlusion.hpp>
-#include <gonio/scene/shadow_line.hpp>
+#include <gonio/scene/shadow_body.hpp>
 #include <gonio/transport/ray_bundle.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
@@ -11,185 +11,126 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
-#include <utility>
 #include <variant>
 
 namespace gonio::detail {
 
-namespace {
+using transport::ShadowShares;
 
-// The visible parts of a line, by the sine of the elevation: disjoint pieces in order.
-class SeenPieces {
-public:
-    SeenPieces(double low, double high) { pieces_[count_++] = {low, high}; }
-
-    bool empty() const { return count_ == 0; }
-
-    void hide(double low, double high) {
-        const auto keep = [&](double from, double to) {
-            if (from < to && count_ < most) pieces_[count_++] = {from, to};
-        };
-        const auto cut = [&](const Piece& piece) {
-            keep(piece.low, std::min(piece.high, low));
-            keep(std::max(piece.low, high), piece.high);
-        };
-        if (count_ == 1) { // nearly always
-            count_ = 0;
-            return cut(Piece(pieces_[0]));
-        }
-        const std::array<Piece, most> before = pieces_;
-        for (std::size_t i = 0, count = std::exchange(count_, 0); i < count; ++i)
-            cut(before[i]);
-    }
-
-    double within(double low, double high) const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < count_; ++i)
-            sum += std::max(std::min(pieces_[i].high, high) - std::max(pieces_[i].low, low), 0.0);
-        return sum;
-    }
-
-private:
-    struct Piece {
-        double low = 0.0;
-        double high = 0.0;
-    };
-    static constexpr std::size_t most = 16; // for a line behind a fence, any further pieces are dropped
-
-    std::array<Piece, most> pieces_{};
-    std::size_t count_ = 0;
-};
-
-double cell_middle(const LightLine& line, std::size_t cell, std::size_t cells) {
-    return line.low + (line.high - line.low) * (static_cast<double>(cell) + 0.5) / static_cast<double>(cells);
+void ShadowPoints::clear() {
+    for (std::vector<double>& numbers : numbers_)
+        numbers.clear();
 }
 
-// A direction across an edge, rotated a little: other edges are often perpendicular to this one, and lines parallel to
-// an edge are either wholly hidden or not at all.
-glm::dvec3 across(const ShadowEdge& edge, const glm::dvec3& towards) {
-    constexpr double turn = 0.6; // tangent of the angle
-    const glm::dvec3 straight = edge.across - glm::dot(edge.across, towards) * towards;
-    return straight + turn * glm::cross(towards, straight);
+void ShadowPoints::reserve(std::size_t count) {
+    for (std::vector<double>& numbers : numbers_)
+        numbers.reserve(count);
 }
 
-} // namespace
+void ShadowPoints::add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        numbers_[at].push_back(position[axis]);
+        numbers_[3 + at].push_back(normal[axis]);
+        numbers_[6 + at].push_back(view[axis]);
+    }
+}
 
 SoftShadow::SoftShadow(const LitScene& scene)
-    : scene_(scene), reflectance_(shading::reflectance_kernels(scene.options.instruction_set)) {}
+    : scene_(scene),
+      reflectance_(shading::reflectance_kernels(scene.options.instruction_set)),
+      kernels_(transport::shadow_kernels(scene.options.instruction_set)),
+      plain_kernels_(transport::shadow_kernels(simd::InstructionSet::scalar)) {}
 
 void SoftShadow::begin(const LitLight& light) {
     light_ = &light;
+    lined_ = lined_light(light.light, {light.reach.center, light.reach.body_radius});
     bodies_.resize(scene_.stage.surfaces.size());
     for (std::vector<std::uint32_t>& bodies : bodies_)
         bodies.clear();
 }
 
-double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::dvec3& normal) {
-    own_ = own;
-    point_ = point;
-    normal_ = normal;
-    share_ = 1.0;
-    by_lines_ = 1.0;
-    near_.clear();
+std::span<const VisibleShare> SoftShadow::visible(std::size_t own, const ShadowPoints& points, bool with_luminance) {
+    shares_.assign(points.size(), VisibleShare());
+    numbers_.clear();
     const Ball light{light_->reach.center, light_->reach.body_radius};
-    const glm::dvec3 to_light = light.center - point;
-    const double distance = glm::length(to_light);
-    if (!(distance > 0.0)) return share_;
-    const glm::dvec3 towards = to_light / distance;
-    // Near a wide light, its bounding sphere is all around.
-    const double half_angle = distance > light.radius ? std::asin(light.radius / distance) : std::numbers::pi;
-    ShadowEdge nearest;
-    for (const std::uint32_t i : bodies_[own]) {
-        const Primitive& body = scene_.stage.surfaces[i].geometry;
-        if (!may_stand_between(body, scene_.body_bounds[i], {point, 0.0}, light)) continue;
-        const ShadowEdge edge = nearest_edge(body, point, towards);
-        // Skips a solid beside the light that does not overlap it. One without an edge in front of the light may also
-        // cover all of it, so the ray to the middle is tested.
-        if (edge.distance > half_angle * (1.0 + 1e-9) && is_apart(body, light) &&
-            !stops(body, {point, towards}, distance))
-            continue;
-        near_.push_back(&body);
-        if (std::abs(edge.distance) < std::abs(nearest.distance)) nearest = edge;
-    }
-    if (near_.empty()) return share_;
-    lines_ = light_lines(light_->light, point, across(nearest, towards));
-    if (lines_.count == 0) return share_;
-    find_hidden();
-    const auto is = [&](double share) {
-        return std::all_of(seen_.begin(), seen_.end(), [&](double seen) { return seen == share; });
-    };
-    if (is(1.0)) return share_;
-    find_light_of_cells();
-    by_lines_ = is(0.0) ? 0.0 : integrated();
-    const std::optional<double> exact = near_.size() == 1 ? closed_form(*near_.front()) : std::nullopt;
-    share_ = exact.value_or(by_lines_);
-    return share_;
+    for (const std::uint32_t i : bodies_[own])
+        numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, light));
+    if (numbers_.empty()) return shares_;
+    scratch_.resize(numbers_.size() * transport::shadow_scratch_numbers);
+    for (std::size_t first = 0; first < points.size(); first += block)
+        find(own, points, first, std::min(block, points.size() - first), with_luminance);
+    return shares_;
 }
 
-void SoftShadow::find_hidden() {
-    std::array<LightLineSeen, light_line_count> seen_lines;
-    std::array<HiddenPiece, light_line_count> pieces;
-    for (std::size_t i = 0; i < lines_.count; ++i)
-        seen_lines[i] = LightLineSeen(lines_.lines[i].from, lines_.lines[i].to);
-    hidden_.clear();
-    for (const Primitive* const body : near_) {
-        hidden_pieces(*body, point_, std::span(seen_lines).first(lines_.count), pieces);
-        hidden_.push_back(pieces);
+void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t first, std::size_t count,
+                      bool with_luminance) {
+    const bool is_glossy =
+        with_luminance && !std::holds_alternative<shading::Lambert<double>>(scene_.core_materials[own]);
+    const bool has_cells = is_glossy || light_->luminance.has_value();
+    transport::ShadowReceivers receivers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        receivers.position[axis] = points.numbers(axis) + first;
+        receivers.normal[axis] = points.numbers(3 + axis) + first;
     }
-    for (std::size_t i = 0; i < lines_.count; ++i) {
-        const LightLine& line = lines_.lines[i];
-        SeenPieces seen(line.low, line.high);
-        bool whole = true;
-        for (const auto& of_body : hidden_) {
-            const HiddenPiece& piece = of_body[i];
-            if (piece.empty()) continue;
-            whole = false;
-            const auto sine_at = [&](double t) {
-                return t <= 0.0   ? line.low
-                       : t >= 1.0 ? line.high
-                                  : lines_.sine_of(line.from + t * (line.to - line.from));
-            };
-            seen.hide(sine_at(piece.low), sine_at(piece.high));
+    receivers.count = count;
+    ShadowShares shares;
+    shares.visible = visible_.data();
+    shares.hiding = hiding_.data();
+    if (has_cells) {
+        constexpr std::size_t all = ShadowShares::cells * block;
+        cells_.resize(5 * all);
+        shares.stride = block;
+        shares.seen = cells_.data();
+        shares.solid_angle = cells_.data() + all;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            shares.towards[axis] = cells_.data() + (2 + axis) * all;
+    }
+    const transport::ShadowKernels& kernels = count == 1 ? plain_kernels_ : kernels_;
+    kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.data(), shares);
+    for (std::size_t i = 0; i < count; ++i) {
+        VisibleShare& share = shares_[first + i];
+        double by_lines = visible_[i];
+        share.lx = by_lines;
+        share.rgb = glm::vec3(static_cast<float>(by_lines));
+        const bool is_alone = hiding_[i] != ShadowShares::several;
+        if (by_lines == 1.0 || (by_lines == 0.0 && !is_alone)) continue;
+        const glm::dvec3 point = points.position(first + i);
+        const glm::dvec3 normal = points.normal(first + i);
+        if (has_cells) find_cells_of(i, point);
+        if (light_->luminance.has_value()) by_lines = integrated(normal);
+        share.lx = by_lines;
+        if (is_alone) {
+            const std::uint32_t body = bodies_[own][static_cast<std::size_t>(hiding_[i])];
+            share.lx = closed_form(scene_.stage.surfaces[body].geometry, point, normal).value_or(by_lines);
         }
-        const double width = (line.high - line.low) / static_cast<double>(cell_count);
-        for (std::size_t cell = 0; cell < cell_count; ++cell) {
-            const double low = line.low + width * static_cast<double>(cell);
-            double share = whole ? 1.0 : 0.0;
-            if (!whole && !seen.empty() && width > 0.0) share = std::min(seen.within(low, low + width) / width, 1.0);
-            seen_[i * cell_count + cell] = share;
-        }
+        share.rgb = is_glossy && share.lx != 0.0 && share.lx != 1.0
+                        ? visible_luminance(own, point, normal, points.view(first + i), share.lx, by_lines)
+                        : glm::vec3(static_cast<float>(share.lx));
     }
 }
 
-// Of the light towards the point from a unit direction, over its mean.
-double SoftShadow::luminance_from(const glm::dvec3& direction) const {
-    return light_->luminance ? light_->luminance->towards(point_, direction) : 1.0;
-}
-
-void SoftShadow::find_light_of_cells() {
-    for (std::size_t i = 0; i < lines_.count; ++i) {
-        const LightLine& line = lines_.lines[i];
-        const double solid_angle = line.turn * (line.high - line.low);
-        for (std::size_t cell = i * cell_count; cell < (i + 1) * cell_count; ++cell) {
-            towards_[cell] = lines_.direction(line, cell_middle(line, cell % cell_count, cell_count));
-            light_of_[cell] = solid_angle * luminance_from(towards_[cell]);
-        }
+void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
+    constexpr std::size_t all = ShadowShares::cells * block;
+    for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
+        const double* const at = cells_.data() + cell * block + i;
+        seen_[cell] = at[0];
+        towards_[cell] = {at[2 * all], at[3 * all], at[4 * all]};
+        light_of_[cell] =
+            at[all] * (light_->luminance ? light_->luminance->towards(point, towards_[cell]) : 1.0);
     }
 }
 
-// The share of the illuminance that the lines let through.
-double SoftShadow::integrated() const {
+// The share of the illuminance of a light whose luminance is not the same everywhere.
+double SoftShadow::integrated(const glm::dvec3& normal) const {
     double all = 0.0;
     double seen = 0.0;
     double all_above = 0.0;
     double seen_above = 0.0;
-    for (std::size_t cell = 0; cell < lines_.count * cell_count; ++cell) {
-        const LightLine& line = lines_.lines[cell / cell_count];
-        const double solid_angle = line.turn * (line.high - line.low);
-        const double weight = light_of_[cell] * std::max(glm::dot(normal_, towards_[cell]), 0.0);
-        all += solid_angle;
-        seen += solid_angle * seen_[cell];
+    for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
+        const double weight = light_of_[cell] * std::max(glm::dot(normal, towards_[cell]), 0.0);
+        all += light_of_[cell];
+        seen += light_of_[cell] * seen_[cell];
         all_above += weight;
         seen_above += weight * seen_[cell];
     }
@@ -198,52 +139,51 @@ double SoftShadow::integrated() const {
 }
 
 // A uniform sphere light behind a sphere or a capsule: the light wholly above the horizon, the occluder in front of it.
-std::optional<double> SoftShadow::closed_form(const Primitive& body) const {
+std::optional<double> SoftShadow::closed_form(const Primitive& body, const glm::dvec3& point,
+                                              const glm::dvec3& normal) const {
     const auto* const light = light_->luminance ? nullptr : std::get_if<SphereShape>(&light_->light.shape);
     const auto* const ball = std::get_if<Ball>(&body);
     const auto* const capsule = std::get_if<Capsule>(&body);
-    if (light == nullptr || (ball == nullptr && capsule == nullptr) || hides(body, point_)) return std::nullopt;
-    const glm::dvec3 to_light = light_->reach.center - point_;
+    if (light == nullptr || (ball == nullptr && capsule == nullptr) || hides(body, point)) return std::nullopt;
+    const glm::dvec3 to_light = light_->reach.center - point;
     const double light_distance = glm::length(to_light);
     const double sine = light->radius.value / light_distance;
-    const double cosine = glm::dot(normal_, to_light) / light_distance;
+    const double cosine = glm::dot(normal, to_light) / light_distance;
     const double nearest = light_distance - light->radius.value;
     if (!(cosine >= sine)) return std::nullopt;
     double hidden = 0.0;
     if (ball != nullptr) {
-        const glm::dvec3 to_ball = ball->center - point_;
+        const glm::dvec3 to_ball = ball->center - point;
         const double ball_distance = glm::length(to_ball);
         if (ball_distance + ball->radius > nearest) return std::nullopt;
         hidden = projected_cap_overlap(to_light / light_distance, std::asin(sine), to_ball / ball_distance,
-                                       std::asin(ball->radius / ball_distance), normal_);
+                                       std::asin(ball->radius / ball_distance), normal);
     } else {
         Capsule seen = *capsule;
-        seen.center -= point_;
+        seen.center -= point;
         const glm::dvec3 half = seen.half_length * seen.axis;
         if (std::max(glm::length(seen.center - half), glm::length(seen.center + half)) + seen.radius > nearest)
             return std::nullopt;
-        hidden = projected_capsule_overlap(to_light / light_distance, std::asin(sine), seen, normal_);
+        hidden = projected_capsule_overlap(to_light / light_distance, std::asin(sine), seen, normal);
     }
     return std::clamp(1.0 - hidden / (std::numbers::pi * sine * sine * cosine), 0.0, 1.0);
 }
 
-glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
-    const auto grey = glm::vec3(static_cast<float>(share_));
-    const CoreMaterial& material = scene_.core_materials[own_];
-    if (share_ == 0.0 || share_ == 1.0 || std::holds_alternative<shading::Lambert<double>>(material)) return grey;
+glm::vec3 SoftShadow::visible_luminance(std::size_t own, const glm::dvec3& point, const glm::dvec3& normal,
+                                        const glm::dvec3& view, double share, double by_lines) const {
+    const CoreMaterial& material = scene_.core_materials[own];
     // In the frame of the surface, whose normal is z.
-    constexpr std::size_t most = light_line_count * cell_count;
-    const std::size_t count = lines_.count * cell_count;
-    Frame frame = frame_about(point_, normal_);
+    constexpr std::size_t count = ShadowShares::cells;
+    Frame frame = frame_about(point, normal);
     if (is_anisotropic(material)) {
         // Tangents of scenes are level, and X where the normal is Z.
-        frame.x = vec(grain_of(0.0).along(vec(normal_)));
+        frame.x = vec(grain_of(0.0).along(vec(normal)));
         frame.y = glm::cross(frame.z, frame.x);
     }
     const glm::dvec3 to_eye = frame.to_local(view);
-    std::array<std::array<float, most>, 3> lights{};
-    std::array<std::array<float, most>, 3> eyes{};
-    std::array<std::array<float, most>, 3> reflectance{};
+    std::array<std::array<float, count>, 3> lights{};
+    std::array<std::array<float, count>, 3> eyes{};
+    std::array<std::array<float, count>, 3> reflectance{};
     for (std::size_t cell = 0; cell < count; ++cell) {
         const glm::dvec3 to_light = frame.to_local(towards_[cell]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -255,7 +195,7 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
     reflectance_.brdf({{lights[0].data(), lights[1].data(), lights[2].data()},
                        {eyes[0].data(), eyes[1].data(), eyes[2].data()},
                        count},
-                      scene_.materials[own_], rgb);
+                      scene_.materials[own], rgb);
     glm::dvec3 all(0.0);
     glm::dvec3 seen(0.0);
     for (std::size_t cell = 0; cell < count; ++cell) {
@@ -265,8 +205,8 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
         seen += value * seen_[cell];
     }
     // If the illuminance has a closed form, its ratio to the lines corrects the luminance too.
-    const double mended = by_lines_ > 0.0 ? share_ / by_lines_ : 1.0;
-    glm::vec3 shares = grey;
+    const double mended = by_lines > 0.0 ? share / by_lines : 1.0;
+    glm::vec3 shares(static_cast<float>(share));
     for (int channel = 0; channel < 3; ++channel)
         if (all[channel] > 0.0)
             shares[channel] = static_cast<float>(std::clamp(mended * seen[channel] / all[channel], 0.0, 1.0));

@@ -8,9 +8,9 @@
 // noise to filter, and overlapping solids are not counted twice. README.md has the error.
 #pragma once
 
-#include <gonio/scene/light_lines.hpp>
-#include <gonio/scene/shadow_line.hpp>
+#include <gonio/scene/shadow_numbers.hpp>
 #include <gonio/shading/kernels_reflectance.hpp>
+#include <gonio/transport/kernels_shadow.hpp>
 #include <gonio/transport/lit_scene.hpp>
 
 #include <glm/vec3.hpp>
@@ -19,9 +19,38 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gonio::detail {
+
+// Points of a surface, as arrays.
+class ShadowPoints {
+public:
+    std::size_t size() const { return numbers_.front().size(); }
+    void clear();
+    void reserve(std::size_t count);
+    // `view`: unit, towards the eye; only for the luminance.
+    void add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view = glm::dvec3(0.0));
+
+    glm::dvec3 position(std::size_t i) const { return vector(0, i); }
+    glm::dvec3 normal(std::size_t i) const { return vector(3, i); }
+    glm::dvec3 view(std::size_t i) const { return vector(6, i); }
+    const double* numbers(std::size_t axis) const { return numbers_[axis].data(); } // positions, then normals
+
+private:
+    glm::dvec3 vector(std::size_t first, std::size_t i) const {
+        return {numbers_[first][i], numbers_[first + 1][i], numbers_[first + 2][i]};
+    }
+
+    std::array<std::vector<double>, 9> numbers_;
+};
+
+// The share of a light that reaches a point.
+struct VisibleShare {
+    double lx = 1.0;    // of its illuminance, in [0, 1]: exactly 1 if nothing is in the way, exactly 0 if all is hidden
+    glm::vec3 rgb{1.0F}; // of the luminance that the surface shows, per channel
+};
 
 class SoftShadow {
 public:
@@ -34,42 +63,43 @@ public:
     // it.
     std::vector<std::uint32_t>& bodies(std::size_t own) { return bodies_[own]; }
 
-    // The share of the light's illuminance that reaches the point, in [0, 1]: exactly 1 if nothing is in the way,
-    // exactly 0 if all lines are hidden. `own` is the surface that the point is on; it does not shadow itself.
-    double visible(std::size_t own, const glm::dvec3& point, const glm::dvec3& normal);
-
-    // The share of the luminance that the surface shows towards `view`, per channel, at the point of the last call of
-    // visible().
-    glm::vec3 visible_luminance(const glm::dvec3& view) const;
+    // At points of the surface `own`, which does not shadow itself. Shares of the luminance only `with_luminance`, for
+    // which the points have views. One for each point; valid until the next call.
+    std::span<const VisibleShare> visible(std::size_t own, const ShadowPoints& points, bool with_luminance);
 
 private:
-    static constexpr std::size_t cell_count = 4; // of a line
-    using Cells = std::array<double, light_line_count * cell_count>;
+    static constexpr std::size_t block = 64; // points that are kept with their cells
 
-    void find_hidden();
-    void find_light_of_cells();
+    void find(std::size_t own, const ShadowPoints& points, std::size_t first, std::size_t count, bool with_luminance);
+    void find_cells_of(std::size_t i, const glm::dvec3& point);
+    double integrated(const glm::dvec3& normal) const;
     // The share of illuminance behind a single solid, if it has a closed form.
-    std::optional<double> closed_form(const Primitive& body) const;
-    double integrated() const;
-    double luminance_from(const glm::dvec3& direction) const;
+    std::optional<double> closed_form(const Primitive& body, const glm::dvec3& point, const glm::dvec3& normal) const;
+    glm::vec3 visible_luminance(std::size_t own, const glm::dvec3& point, const glm::dvec3& normal,
+                                const glm::dvec3& view, double share, double by_lines) const;
 
     const LitScene& scene_;
     const shading::ReflectanceKernels& reflectance_;
+    const transport::ShadowKernels& kernels_;
+    const transport::ShadowKernels& plain_kernels_; // for single points
     const LitLight* light_ = nullptr;
+    LinedLight lined_;
     std::vector<std::vector<std::uint32_t>> bodies_; // by surface
+    std::vector<VisibleShare> shares_;
 
-    // For the last point:
-    std::size_t own_ = 0;
-    glm::dvec3 point_{0.0};
-    glm::dvec3 normal_{0.0};
-    std::vector<const Primitive*> near_; // the solids that may hide something at the point
-    LightLines lines_;
-    std::vector<std::array<HiddenPiece, light_line_count>> hidden_; // of each line, by each of near_
-    Cells seen_{};                                                  // the visible share of each cell
-    Cells light_of_{};                                              // its solid angle times its luminance over the mean
-    std::array<glm::dvec3, light_line_count * cell_count> towards_{}; // its middle, unit
-    double share_ = 1.0;
-    double by_lines_ = 1.0; // the same by the lines only
+    // Of one block:
+    std::vector<ShadowBody> numbers_; // of the bodies
+    std::vector<double> scratch_;
+    std::array<double, block> visible_{};
+    std::array<double, block> hiding_{};
+    std::vector<double> cells_; // their visible shares, solid angles and directions
+
+    // Of one point:
+    template<class T>
+    using OfCells = std::array<T, transport::ShadowShares::cells>;
+    OfCells<double> seen_{};
+    OfCells<double> light_of_{}; // its solid angle times its luminance over the mean
+    OfCells<glm::dvec3> towards_{};
 };
 
 } // namespace gonio::detail

@@ -5,6 +5,7 @@
 #include <gonio/scene/probe.hpp>
 
 #include "../light/lights.hpp"
+#include "numbers.hpp"
 #include "../web/webs.hpp"
 
 #include <glm/geometric.hpp>
@@ -199,6 +200,48 @@ TEST(Exposure, GivesTheSubjectHalfOfTheWeight) {
     EXPECT_EQ(white(), white_luminance(auto_exposure(image)).value);
     std::fill(subject.begin(), subject.end(), 1);
     EXPECT_EQ(white(), white_luminance(auto_exposure(image)).value);
+}
+
+// The definition, by sorting.
+double white_by_sorting(const Image& image, const std::vector<std::uint8_t>& subject) {
+    std::vector<std::pair<double, bool>> pixels;
+    for (std::size_t i = 0; i < subject.size(); ++i)
+        pixels.emplace_back(static_cast<double>(image.pixels[3 * i]), subject[i] != 0);
+    std::sort(pixels.begin(), pixels.end());
+    const auto all = static_cast<double>(pixels.size());
+    const auto of_subject = static_cast<double>(std::count(subject.begin(), subject.end(), 1));
+    const bool is_small = of_subject > 0.0 && of_subject < 0.5 * all;
+    const auto weight = [&](bool is_subject) {
+        return !is_small ? 1.0 : is_subject ? 0.5 * all / of_subject : 0.5 * all / (all - of_subject);
+    };
+    double logarithms = 0.0;
+    for (const auto& [luminance, is_subject] : pixels)
+        logarithms += weight(is_subject) * std::log(luminance);
+    const auto below_one_in = [&](double share) {
+        double sum = 0.0;
+        for (const auto& [luminance, is_subject] : pixels)
+            if ((sum += weight(is_subject)) > (all - 1.0) * (share - 1.0) / share) return luminance;
+        return pixels.back().first;
+    };
+    return std::clamp(std::exp(logarithms / all) / 0.18, below_one_in(40.0), below_one_in(200.0));
+}
+
+TEST(Exposure, IsThatOfSortedPixels) {
+    test::Numbers numbers(12);
+    for (int i = 0; i < 300; ++i) {
+        const auto count = static_cast<std::size_t>(numbers.between(1.0, 2000.0));
+        const double spread = numbers.between(0.1, 60.0);
+        const double share = numbers.between(-0.2, 1.2);
+        Image image(static_cast<int>(count), 1, 3);
+        std::vector<std::uint8_t> subject(count);
+        for (std::size_t j = 0; j < count; ++j) {
+            const auto value = static_cast<float>(std::exp(numbers.between(-spread, spread)));
+            std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * j), 3, value);
+            subject[j] = numbers.between(0.0, 1.0) < share ? 1 : 0;
+        }
+        const double white = white_by_sorting(image, subject);
+        EXPECT_NEAR(white_luminance(auto_exposure(image, {}, subject)).value, white, 1e-6 * white) << count;
+    }
 }
 
 // Which pixels show the subject does not depend on the method.

@@ -5,6 +5,7 @@
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/shadow_body.hpp>
 #include <gonio/scene/shadow_line.hpp>
 #include <gonio/shading/sample_cylinder.hpp>
 #include <gonio/shading/sample_disk.hpp>
@@ -61,6 +62,10 @@ bool meets(const Primitive& body, const Vec& from, const Vec& way) {
     return std::visit([&](const auto& shape) { return before(distance_to(shape, ray)); }, body);
 }
 
+shading::vec3<double> numbers_of(const Vec& v) {
+    return {v.x, v.y, v.z};
+}
+
 TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
     Numbers numbers(5);
     std::array<int, 5> partly{};
@@ -71,16 +76,20 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         if (kind > 1 && hides(body, receiver)) continue;
         const Vec from = numbers.in_box(6.0) - receiver;
         const Vec to = numbers.in_box(6.0) - receiver;
-        const detail::LightLineSeen line(from, to);
-        detail::HiddenPiece piece;
-        detail::hidden_pieces(body, receiver, {&line, 1}, {&piece, 1});
-        for (int j = 0; j <= 40; ++j) {
-            const double t = j / 40.0;
-            if (!piece.empty() && std::min(std::abs(t - piece.low), std::abs(t - piece.high)) < 1e-7) continue;
-            const bool within = !piece.empty() && t > piece.low && t < piece.high;
-            ASSERT_EQ(within, meets(body, receiver, from + t * (to - from))) << kind << " in case " << i << " at " << t;
-        }
-        if (!piece.empty() && (piece.low > 0.0 || piece.high < 1.0)) ++partly[static_cast<std::size_t>(kind)];
+        const detail::LightLineSeen<double> line(numbers_of(from), numbers_of(to));
+        const detail::ShadowBody solid = detail::shadow_body(body, Ball{});
+        detail::with_hiding(solid, numbers_of(receiver), [&](const auto& hiding) {
+            const detail::HiddenPiece<double> piece = hiding.hidden(line);
+            for (int j = 0; j <= 40; ++j) {
+                const double t = j / 40.0;
+                if (piece.is_there() && std::min(std::abs(t - piece.low), std::abs(t - piece.high)) < 1e-7) continue;
+                const bool within = piece.is_there() && t > piece.low && t < piece.high;
+                const Vec way = from + t * (to - from);
+                ASSERT_EQ(within, meets(body, receiver, way)) << kind << " in case " << i << " at " << t;
+                EXPECT_EQ(within, hiding.blocks(numbers_of(way))) << kind << " in case " << i << " at " << t;
+            }
+            if (piece.is_there() && (piece.low > 0.0 || piece.high < 1.0)) ++partly[static_cast<std::size_t>(kind)];
+        });
     }
     for (const int count : partly)
         EXPECT_GT(count, 50);
@@ -93,7 +102,7 @@ TEST(ShadowLine, ABodyIsApartFromWhatItDoesNotTouch) {
     for (int i = 0; i < 2000; ++i) {
         const Primitive body = any_body(numbers, i % 5);
         const Ball ball{numbers.in_box(3.0), 0.8};
-        const bool is_apart = detail::is_apart(body, ball);
+        const bool is_apart = detail::shadow_body(body, ball).is_apart;
         ++found[is_apart ? 1 : 0];
         if (!is_apart) continue;
         EXPECT_FALSE(hides(body, ball.center) && !is_sheet(body)) << i;
@@ -123,14 +132,15 @@ TEST(LightLines, SumToTheLight) {
     for (const Light& light : lights())
         for (int i = 0; i < 200; ++i) {
             const Vec point = numbers.in_box(2.0) * Vec(1, 1, 0);
-            const detail::LightLines lines = detail::light_lines(light, point, numbers.direction());
-            ASSERT_GT(lines.count, 0U);
+            const detail::LinedLight lined = detail::lined_light(light, Ball{});
+            const detail::LightLines<double> lines =
+                detail::light_lines(lined, numbers_of(point), numbers_of(numbers.direction()));
+            ASSERT_TRUE(lines.is_seen);
             double sum = 0.0;
-            for (std::size_t l = 0; l < lines.count; ++l)
+            for (const detail::LightLine<double>& line : lines.lines)
                 for (int cell = 0; cell < 16; ++cell) {
-                    const detail::LightLine& line = lines.lines[l];
                     const double sine = line.low + (line.high - line.low) * (cell + 0.5) / 16.0;
-                    sum += line.turn * (line.high - line.low) / 16.0 * lines.direction(line, sine).z;
+                    sum += line.solid_angle() / 16.0 * lines.direction(line, sine).z;
                 }
             const Receiver receiver{point, {0, 0, 1}};
             const double lx = probe({&light, 1}, {&receiver, 1}).value().illuminance_lx.front();

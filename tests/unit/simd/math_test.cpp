@@ -1,5 +1,6 @@
 // The bounds stated in simd/math.hpp, on every instruction set of this machine, against the C library in double.
 #include <gonio/simd/array_math.hpp>
+#include <gonio/simd/doubles_math.hpp>
 #include <gonio/simd/math.hpp>
 
 #include <gtest/gtest.h>
@@ -449,5 +450,17 @@ TEST(FloatMath, ArcsOfSmallAnglesStayAmongTheNormalNumbers) {
 }
 
 #endif
+
+// The bound stated in simd/doubles_math.hpp; that sets give the same bits is tested with the kernels that use it.
+TEST(DoublesMath, ArcSine) {
+    for (int i = -4000; i <= 4000; ++i)
+        for (const double x : {i / 4000.0, i / 4000.0 * 1e-9, std::copysign(1.0 - std::abs(i) * 1e-13, i)}) {
+            const double truth = std::asin(x);
+            const double unit = std::nextafter(std::abs(truth), 2.0) - std::abs(truth);
+            EXPECT_NEAR(gonio::simd::arc_sine(x), truth, 2.0 * unit) << x;
+        }
+    EXPECT_EQ(gonio::simd::arc_sine(0.0), 0.0);
+    EXPECT_EQ(gonio::simd::arc_sine(1.0), 0.5 * std::numbers::pi);
+}
 
 } // namespace

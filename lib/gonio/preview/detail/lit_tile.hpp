@@ -52,15 +52,9 @@ private:
 
         bool is_none() const { return lx == 0.0F && rgb == glm::vec3(0.0F); }
     };
-    struct Place {
-        std::size_t surface;
-        glm::dvec3 position;
-        glm::dvec3 normal;
-        glm::dvec3 view; // towards the eye
-    };
-    static Place place_of(const Seen& seen);
-    static Place place_of(const SurfaceSamples& samples, std::size_t i);
-    Visible visible(const LitLight& light, const Place& place);
+    // One for each point of a surface; valid until the next call.
+    const std::vector<Visible>& visible_at(const LitLight& light, std::size_t surface, const ShadowPoints& points);
+    void find_centers();
     void shade(const LitLight& light, const Group& group);
     void shade_edges(const LitLight& light);
     // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its
@@ -89,7 +83,16 @@ private:
     std::vector<Group> groups_;
     bool is_shadowed_ = false;
     SoftShadow soft_shadow_;
+    // The centres that show each surface, and the same as points.
+    struct Centers {
+        std::size_t surface;
+        std::vector<std::uint32_t> index;
+        ShadowPoints points;
+    };
+    std::vector<Centers> centers_;             // made for the first light with shadows
     std::vector<Visible> center_visible_;      // for each centre; 1 where no surface is visible
+    ShadowPoints within_;                      // points of pixels on outlines
+    std::vector<Visible> visible_at_;
     std::vector<std::uint8_t> on_shadow_edge_; // for each centre
     std::vector<std::size_t> edges_;           // the centres on a shadow edge
     std::vector<float> weight_;

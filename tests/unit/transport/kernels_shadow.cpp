@@ -1,0 +1,174 @@
+// The kernels of soft shadows against each other; tests/unit/preview/shadows.cpp compares them with counted rays.
+#include <gonio/scene/shadow_body.hpp>
+#include <gonio/transport/kernels_shadow.hpp>
+
+#include "../light/lights.hpp"
+#include "../preview/numbers.hpp"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace gonio::transport {
+namespace {
+
+using gonio::detail::ShadowBody;
+using Vec = glm::dvec3;
+
+constexpr std::size_t receiver_count = 37; // the last packet of every set is partly filled
+
+struct Receivers {
+    std::array<std::vector<double>, 6> numbers;
+
+    explicit Receivers(test::Numbers& random) {
+        for (std::size_t i = 0; i < receiver_count; ++i) {
+            const Vec position = random.in_box(2.0) * Vec(1, 1, 0.1);
+            const Vec normal = glm::normalize(Vec(0, 0, 1) + random.in_box(0.5));
+            for (int axis = 0; axis < 3; ++axis) {
+                numbers[static_cast<std::size_t>(axis)].push_back(position[axis]);
+                numbers[static_cast<std::size_t>(3 + axis)].push_back(normal[axis]);
+            }
+        }
+    }
+    Receivers in_order(const std::vector<std::size_t>& order) const {
+        Receivers moved = *this;
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            for (std::size_t j = 0; j < order.size(); ++j)
+                moved.numbers[i][j] = numbers[i][order[j]];
+        return moved;
+    }
+};
+
+struct Shares {
+    std::vector<double> visible = std::vector<double>(receiver_count);
+    std::vector<double> hiding = std::vector<double>(receiver_count);
+    std::array<std::vector<double>, 5> cells;
+
+    bool is_in_penumbra(std::size_t i) const { return visible[i] > 0.0 && visible[i] < 1.0; }
+};
+
+Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& light, const std::vector<ShadowBody>& bodies,
+                 const Receivers& at) {
+    ShadowReceivers receivers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        receivers.position[axis] = at.numbers[axis].data();
+        receivers.normal[axis] = at.numbers[3 + axis].data();
+    }
+    receivers.count = receiver_count;
+    Shares shares;
+    for (std::vector<double>& cells : shares.cells)
+        cells.resize(ShadowShares::cells * receiver_count);
+    ShadowShares to;
+    to.visible = shares.visible.data();
+    to.hiding = shares.hiding.data();
+    to.stride = receiver_count;
+    to.seen = shares.cells[0].data();
+    to.solid_angle = shares.cells[1].data();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        to.towards[axis] = shares.cells[2 + axis].data();
+    std::vector<double> scratch(bodies.size() * shadow_scratch_numbers);
+    shadow_kernels(set).visible_shares(light, bodies.data(), bodies.size(), receivers, scratch.data(), to);
+    return shares;
+}
+
+Primitive any_body(test::Numbers& random) {
+    const Vec center = random.in_box(0.8) + Vec(0, 0, 1.2);
+    const Vec axis = random.direction();
+    switch (static_cast<int>(random.between(0.0, 5.0))) {
+    case 0:
+        return Plane{center + Vec(0, 0, 1.2), axis};
+    case 1:
+        return panel_facing(center, axis, random.direction(), random.between(0.1, 1), random.between(0.1, 1));
+    case 2:
+        return Ball{center, random.between(0.05, 0.5)};
+    case 3:
+        return Box{aimed_frame(center, axis, random.direction()),
+                   {random.between(0.05, 0.4), random.between(0.05, 0.4), random.between(0.05, 0.4)}};
+    default:
+        return Capsule{center, axis, random.between(0.05, 0.8), random.between(0.02, 0.3)};
+    }
+}
+
+struct Case {
+    gonio::detail::LinedLight light;
+    std::vector<ShadowBody> bodies;
+    Receivers receivers;
+};
+
+std::vector<Case> cases() {
+    const std::array lights{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
+                            light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
+                            light_of("ellipse:w=1.2m,h=30cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
+                            light_of("rect:w=1m,h=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
+                            light_of("rect:w=3m,h=4m", "1000cd", {0.1, -0.2, 0.3}, {1.0, 0.1, -0.4}),
+                            light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 0.9}, {0.0, 0.0, -1.0}),
+                            light_of("cylinder:r=20cm,l=60cm", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};
+    const Ball around{{0.1, -0.2, 2.4}, 0.7};
+    test::Numbers random(31);
+    std::vector<Case> made;
+    for (const Light& light : lights)
+        for (std::size_t i = 0; i < 40; ++i) {
+            std::vector<ShadowBody> bodies;
+            for (std::size_t body = 0; body <= i % 5; ++body)
+                bodies.push_back(gonio::detail::shadow_body(any_body(random), around));
+            made.push_back({gonio::detail::lined_light(light, around), bodies, Receivers(random)});
+        }
+    return made;
+}
+
+TEST(ShadowKernels, GiveTheSameBitsOnAllSets) {
+    std::size_t in_penumbra = 0;
+    for (const Case& of : cases()) {
+        const Shares plain = shares_of(simd::InstructionSet::scalar, of.light, of.bodies, of.receivers);
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            const Shares packed = shares_of(set, of.light, of.bodies, of.receivers);
+            EXPECT_EQ(packed.visible, plain.visible) << simd::to_text(set);
+            EXPECT_EQ(packed.hiding, plain.hiding) << simd::to_text(set);
+            for (std::size_t i = 0; i < receiver_count; ++i) {
+                if (!plain.is_in_penumbra(i)) continue;
+                ++in_penumbra;
+                for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell)
+                    for (std::size_t number = 0; number < plain.cells.size(); ++number)
+                        ASSERT_EQ(packed.cells[number][cell * receiver_count + i],
+                                  plain.cells[number][cell * receiver_count + i])
+                            << simd::to_text(set);
+            }
+        }
+    }
+    EXPECT_GT(in_penumbra, 2000U);
+}
+
+TEST(ShadowKernels, ShareDoesNotDependOnOtherReceivers) {
+    std::vector<std::size_t> order(receiver_count);
+    for (std::size_t i = 0; i < receiver_count; ++i)
+        order[i] = (i * 11 + 5) % receiver_count;
+    for (const Case& of : cases())
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            const Shares shares = shares_of(set, of.light, of.bodies, of.receivers);
+            const Shares moved = shares_of(set, of.light, of.bodies, of.receivers.in_order(order));
+            for (std::size_t i = 0; i < receiver_count; ++i)
+                EXPECT_EQ(moved.visible[i], shares.visible[order[i]]) << simd::to_text(set);
+        }
+}
+
+TEST(ShadowKernels, TheSameBodyTwiceHidesAsMuch) {
+    std::size_t by_one = 0;
+    for (const Case& of : cases()) {
+        std::vector<ShadowBody> twice = of.bodies;
+        twice.insert(twice.end(), of.bodies.begin(), of.bodies.end());
+        const Shares once = shares_of(simd::InstructionSet::scalar, of.light, of.bodies, of.receivers);
+        const Shares both = shares_of(simd::InstructionSet::scalar, of.light, twice, of.receivers);
+        EXPECT_EQ(both.visible, once.visible);
+        for (std::size_t i = 0; i < receiver_count; ++i) {
+            if (once.hiding[i] != ShadowShares::several) ++by_one;
+            EXPECT_EQ(both.hiding[i], ShadowShares::several);
+        }
+    }
+    EXPECT_GT(by_one, 500U);
+}
+
+} // namespace
+} // namespace gonio::transport
