@@ -83,14 +83,22 @@ GONIO_FORCE_INLINE simd::mask_of<S> is_on_line(S t) {
     return simd::both(t >= S(0), t <= S(1));
 }
 
+// A share of the way to a point of the line, as a fraction.
 template<class S>
-GONIO_FORCE_INLINE simd::mask_of<S> is_before_line(S share_of_way) {
-    return simd::both(share_of_way > S(0), share_of_way <= S(1));
-}
+struct ShareOfWay {
+    S part;
+    S whole;
+
+    GONIO_FORCE_INLINE simd::mask_of<S> is_before_line() const {
+        return simd::both(part > S(0), part <= whole);
+    }
+};
 
 // How rays pass a sphere, or an endless cylinder, which follows the same formulas in the plane across its axis.
 template<class S>
 struct Round {
+    using mask = simd::mask_of<S>;
+
     vec3<S> center;
     S power; // of the receiver: |c|² − r²
     S radius2;
@@ -99,7 +107,7 @@ struct Round {
     GONIO_FORCE_INLINE Round(const vec3<S>& middle, S radius)
         : center(middle), power(dot(middle, middle) - radius * radius), radius2(radius * radius) {}
 
-    // Where rays to the line are tangent to it, with the share of the way to the line at which they touch:
+    // Where rays to the line are tangent to it, with the share of the way there at which they touch:
     // take(where, t, share).
     template<class Take>
     GONIO_FORCE_INLINE void tangents(const vec3<S>& from, const vec3<S>& along, const Take& take) const {
@@ -108,7 +116,7 @@ struct Round {
         for_roots(ac * ac - power * dot(along, along), ac * fc - power * dot(from, along),
                   fc * fc - power * dot(from, from), [&](auto where, S t) {
                       const vec3<S> way = from + along * t;
-                      take(simd::both(where, is_on_line(t)), t, dot(way, center) / dot(way, way));
+                      take(simd::both(where, is_on_line(t)), t, ShareOfWay<S>{dot(way, center), dot(way, way)});
                   });
     }
     // Where the line enters and leaves it: take(where, t).
@@ -118,25 +126,35 @@ struct Round {
         for_roots(dot(along, along), dot(off, along), dot(off, off) - radius2,
                   [&](auto where, S t) { take(simd::both(where, is_on_line(t)), t); });
     }
-    // The share of the way to a point at which the ray enters; above 1 where it misses.
-    GONIO_FORCE_INLINE S entry(const vec3<S>& way) const {
+    // The share of the way to a point at which the ray enters; above the whole where it misses.
+    GONIO_FORCE_INLINE ShareOfWay<S> entry(const vec3<S>& way) const {
         const S middle = dot(way, center);
         const S length2 = dot(way, way);
         const S under = middle * middle - power * length2;
-        return simd::select(simd::both(under >= S(0), middle > S(0)),
-                            (middle - simd::sqrt(simd::max(under, S(0)))) / length2, S(2));
+        const auto is_met = simd::both(under >= S(0), middle > S(0));
+        return {simd::select(is_met, middle - simd::sqrt(simd::max(under, S(0))), S(2) * length2 + S(1)), length2};
+    }
+    // Whether the ray enters before that point, from a receiver outside.
+    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
+        const S middle = dot(way, center);
+        const S length2 = dot(way, way);
+        const S under = middle * middle - power * length2;
+        const S beyond = middle - length2;
+        return simd::both(simd::both(under >= S(0), middle > S(0)),
+                          simd::either(beyond <= S(0), beyond * beyond <= under));
     }
 };
 
 template<class S>
 GONIO_FORCE_INLINE void add_ball(HiddenPiece<S>& hidden, const LightLineSeen<S>& line, const Round<S>& ball,
-                                 simd::mask_of<S> where) {
-    ball.tangents(line.from, line.along, [&](auto on_line, S t, S share) {
-        hidden.add(simd::both(where, simd::both(on_line, is_before_line(share))), t);
+                                 bool is_apart, simd::mask_of<S> where) {
+    ball.tangents(line.from, line.along, [&](auto on_line, S t, const ShareOfWay<S>& share) {
+        hidden.add(simd::both(where, simd::both(on_line, share.is_before_line())), t);
     });
-    ball.crossings(line.from, line.along, [&](auto on_line, S t) { hidden.add(simd::both(where, on_line), t); });
-    hidden.add(simd::both(where, is_before_line(ball.entry(line.from))), S(0));
-    hidden.add(simd::both(where, is_before_line(ball.entry(line.to()))), S(1));
+    if (!is_apart)
+        ball.crossings(line.from, line.along, [&](auto on_line, S t) { hidden.add(simd::both(where, on_line), t); });
+    hidden.add(simd::both(where, ball.blocks(line.from)), S(0));
+    hidden.add(simd::both(where, ball.blocks(line.to())), S(1));
 }
 
 // Where the plane of the rays cuts edges, if that point is in front of the line.
@@ -170,7 +188,7 @@ private:
 };
 
 // What objects hide from receivers: blocks(way) tells whether they stand on the way to a point, hidden(line) is the
-// piece of a line that they hide.
+// piece of a line that they hide. Lines do not enter objects that are apart from the light.
 
 template<class S>
 class HidingPlane {
@@ -180,25 +198,25 @@ public:
     GONIO_FORCE_INLINE HidingPlane(const ShadowBody& plane, const vec3<S>& receiver)
         : normal_(spread<S>(plane.z)),
           height_(dot(receiver - spread<S>(plane.middle), normal_)),
-          is_apart_(simd::abs(height_) > touching_distance(receiver)) {}
+          is_free_(simd::abs(height_) > touching_distance(receiver)) {}
 
     GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_apart_, height_ * (height_ + dot(way, normal_)) < S(0));
+        return simd::both(is_free_, height_ * (height_ + dot(way, normal_)) < S(0));
     }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         const S from = height_ + dot(line.from, normal_);
         const S to = from + dot(line.along, normal_);
-        piece.add(simd::both(is_apart_, from * to < S(0)), from / (from - to));
-        piece.add(simd::both(is_apart_, height_ * from < S(0)), S(0));
-        piece.add(simd::both(is_apart_, height_ * to < S(0)), S(1));
+        piece.add(simd::both(is_free_, from * to < S(0)), from / (from - to));
+        piece.add(simd::both(is_free_, height_ * from < S(0)), S(0));
+        piece.add(simd::both(is_free_, height_ * to < S(0)), S(1));
         return piece;
     }
 
 private:
     vec3<S> normal_;
     S height_; // of the receiver
-    mask is_apart_;
+    mask is_free_; // the receiver does not touch it
 };
 
 template<class S>
@@ -214,7 +232,8 @@ public:
           half_width_(panel.half_size[0]),
           half_height_(panel.half_size[1]),
           height_(-dot(middle_, z_)),
-          is_apart_(simd::abs(height_) > touching_distance(receiver)) {
+          is_free_(simd::abs(height_) > touching_distance(receiver)),
+          is_apart_(panel.is_apart) {
         const vec3<S> right = x_ * half_width_;
         const vec3<S> up = y_ * half_height_;
         corner_[0] = middle_ - right - up;
@@ -224,7 +243,7 @@ public:
     }
 
     GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_apart_, is_passed(height_ + dot(way, z_), way));
+        return simd::both(is_free_, is_passed(height_ + dot(way, z_), way));
     }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
@@ -233,15 +252,17 @@ public:
             side[i] = dot(line.normal, corner_[i]);
         const S lowest = simd::min(simd::min(side[0], side[1]), simd::min(side[2], side[3]));
         const S highest = simd::max(simd::max(side[0], side[1]), simd::max(side[2], side[3]));
-        const auto where = simd::both(is_apart_, simd::both(lowest <= S(0), highest >= S(0)));
+        const auto where = simd::both(is_free_, simd::both(lowest <= S(0), highest >= S(0)));
         if (!simd::any(where)) return piece;
         const CutEdges<S> edges(line);
         for (int i = 0; i < 4; ++i)
             edges.add(piece, where, corner_[i], side[i], corner_[(i + 1) % 4], side[(i + 1) % 4]);
         const S from = height_ + dot(line.from, z_);
         const S to = from + dot(line.along, z_);
-        const S crossing = from / (from - to);
-        piece.add(simd::both(where, simd::both(from * to < S(0), is_within(line.at(crossing)))), crossing);
+        if (!is_apart_) {
+            const S crossing = from / (from - to);
+            piece.add(simd::both(where, simd::both(from * to < S(0), is_within(line.at(crossing)))), crossing);
+        }
         piece.add(simd::both(where, is_passed(from, line.from)), S(0));
         piece.add(simd::both(where, is_passed(to, line.to())), S(1));
         return piece;
@@ -260,7 +281,8 @@ private:
     vec3<S> x_, y_, z_, middle_;
     S half_width_, half_height_;
     S height_; // of the receiver
-    mask is_apart_;
+    mask is_free_; // the receiver does not touch it
+    bool is_apart_;
     vec3<S> corner_[4];
 };
 
@@ -270,16 +292,19 @@ public:
     using mask = simd::mask_of<S>;
 
     GONIO_FORCE_INLINE HidingBall(const ShadowBody& ball, const vec3<S>& receiver)
-        : radius_(ball.radius), round_(spread<S>(ball.middle) - receiver, radius_), is_outside_(round_.power > S(0)) {}
+        : radius_(ball.radius),
+          round_(spread<S>(ball.middle) - receiver, radius_),
+          is_outside_(round_.power > S(0)),
+          is_apart_(ball.is_apart) {}
 
     GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_outside_, is_before_line(round_.entry(way)));
+        return simd::both(is_outside_, round_.blocks(way));
     }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         const auto where =
             simd::both(is_outside_, simd::abs(dot(line.normal, round_.center)) <= radius_ * line.normal_length);
-        if (simd::any(where)) add_ball(piece, line, round_, where);
+        if (simd::any(where)) add_ball(piece, line, round_, is_apart_, where);
         return piece;
     }
 
@@ -287,6 +312,7 @@ private:
     S radius_;
     Round<S> round_;
     mask is_outside_;
+    bool is_apart_;
 };
 
 template<class S>
@@ -299,7 +325,8 @@ public:
           axis_(spread<S>(capsule.x)),
           half_length_(capsule.half_size[0]),
           radius_(capsule.radius),
-          side_(across(center_), radius_) {
+          side_(across(center_), radius_),
+          is_apart_(capsule.is_apart) {
         end_[0] = Round<S>(center_ - axis_ * half_length_, radius_);
         end_[1] = Round<S>(center_ + axis_ * half_length_, radius_);
         const S along = -dot(center_, axis_);
@@ -308,7 +335,7 @@ public:
     }
 
     GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        const auto met = simd::either(simd::either(is_before_line(end_[0].entry(way)), is_before_line(end_[1].entry(way))),
+        const auto met = simd::either(simd::either(end_[0].blocks(way), end_[1].blocks(way)),
                                       is_on_side(way, side_.entry(across(way))));
         return simd::both(is_outside_, met);
     }
@@ -322,17 +349,18 @@ public:
         if (!simd::any(where)) return piece;
         for (int i = 0; i < 2; ++i) {
             const auto met = simd::both(where, simd::abs(heights[i]) <= reach);
-            if (simd::any(met)) add_ball(piece, line, end_[i], met);
+            if (simd::any(met)) add_ball(piece, line, end_[i], is_apart_, met);
         }
         // The side between the ends.
         const vec3<S> from = across(line.from);
         const vec3<S> along = across(line.along);
-        side_.tangents(from, along, [&](auto on_line, S t, S share) {
+        side_.tangents(from, along, [&](auto on_line, S t, const ShareOfWay<S>& share) {
             piece.add(simd::both(where, simd::both(on_line, is_on_side(line.at(t), share))), t);
         });
-        side_.crossings(from, along, [&](auto on_line, S t) {
-            piece.add(simd::both(where, simd::both(on_line, is_on_side(line.at(t), S(1)))), t);
-        });
+        if (!is_apart_)
+            side_.crossings(from, along, [&](auto on_line, S t) {
+                piece.add(simd::both(where, simd::both(on_line, is_on_side(line.at(t), {S(1), S(1)}))), t);
+            });
         piece.add(simd::both(where, is_on_side(line.from, side_.entry(from))), S(0));
         piece.add(simd::both(where, is_on_side(line.to(), side_.entry(from + along))), S(1));
         return piece;
@@ -340,8 +368,9 @@ public:
 
 private:
     GONIO_FORCE_INLINE vec3<S> across(const vec3<S>& v) const { return v - axis_ * dot(v, axis_); }
-    GONIO_FORCE_INLINE mask is_on_side(const vec3<S>& way, S share) const {
-        return simd::both(is_before_line(share), simd::abs(dot(axis_, way * share - center_)) <= half_length_);
+    GONIO_FORCE_INLINE mask is_on_side(const vec3<S>& way, const ShareOfWay<S>& share) const {
+        const S height = dot(axis_, way) * share.part - dot(axis_, center_) * share.whole;
+        return simd::both(share.is_before_line(), simd::abs(height) <= half_length_ * share.whole);
     }
 
     vec3<S> center_, axis_;
@@ -349,6 +378,7 @@ private:
     Round<S> side_;
     Round<S> end_[2];
     mask is_outside_;
+    bool is_apart_;
 };
 
 // In the axes of the box.
@@ -394,11 +424,13 @@ public:
             for (unsigned bit = 1; bit < 8; bit *= 2)
                 if ((i & bit) == 0) edges.add(piece, where, corner[i], side[i], corner[i | bit], side[i | bit]);
         // Where the line itself and the rays to its ends enter the box.
-        const Slabs passed(half_, receiver_ + line.from, line.along);
-        const auto is_met = simd::both(simd::both(where, passed.is_met(passed.entry <= passed.exit)),
-                                       simd::both(passed.exit >= S(0), passed.entry <= S(1)));
-        piece.add(is_met, simd::max(passed.entry, S(0)));
-        piece.add(is_met, simd::min(passed.exit, S(1)));
+        if (!box_.is_apart) {
+            const Slabs passed(half_, receiver_ + line.from, line.along);
+            const auto is_met = simd::both(simd::both(where, passed.is_met(passed.entry <= passed.exit)),
+                                           simd::both(passed.exit >= S(0), passed.entry <= S(1)));
+            piece.add(is_met, simd::max(passed.entry, S(0)));
+            piece.add(is_met, simd::min(passed.exit, S(1)));
+        }
         piece.add(simd::both(where, is_entered(line.from)), S(0));
         piece.add(simd::both(where, is_entered(line.to())), S(1));
         return piece;

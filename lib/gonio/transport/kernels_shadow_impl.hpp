@@ -213,15 +213,14 @@ private:
             const LightLine<S>& line = lines_.lines[i];
             const S solid_angle = line.solid_angle();
             const S width = (line.high - line.low) * S(1.0 / ShadowShares::cells_of_line);
+            const auto is_wide = width > S(0);
+            const S per_width = S(1) / simd::select(is_wide, width, S(1));
             S from = line.low;
             for (std::size_t cell = 0; cell < ShadowShares::cells_of_line; ++cell) {
                 const bool is_last = cell + 1 == ShadowShares::cells_of_line;
                 const S to_end = is_last ? line.high : line.low + width * S(static_cast<double>(cell + 1));
-                const S wide = to_end - from;
                 const S hidden = hidden_[i].within(from, to_end);
-                const auto is_wide = wide > S(0);
-                const S shown =
-                    simd::max(S(1) - hidden / simd::select(is_wide, wide, S(1)), S(0));
+                const S shown = simd::select(hidden < to_end - from, simd::max(S(1) - hidden * per_width, S(0)), S(0));
                 const S share = simd::select(is_wide, shown, S(1));
                 const vec3<S> towards =
                     lines_.direction(line, line.low + (line.high - line.low) *

@@ -77,7 +77,8 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         const Vec from = numbers.in_box(6.0) - receiver;
         const Vec to = numbers.in_box(6.0) - receiver;
         const detail::LightLineSeen<double> line(numbers_of(from), numbers_of(to));
-        const detail::ShadowBody solid = detail::shadow_body(body, Ball{});
+        detail::ShadowBody solid = detail::shadow_body(body, Ball{});
+        solid.is_apart = false; // the line may enter it
         detail::with_hiding(solid, numbers_of(receiver), [&](const auto& hiding) {
             const detail::HiddenPiece<double> piece = hiding.hidden(line);
             for (int j = 0; j <= 40; ++j) {

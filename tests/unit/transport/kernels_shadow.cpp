@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace gonio::transport {
@@ -99,18 +100,21 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-    const std::array lights{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
-                            light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
-                            light_of("ellipse:w=1.2m,h=30cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
-                            light_of("rect:w=1m,h=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
-                            light_of("rect:w=3m,h=4m", "1000cd", {0.1, -0.2, 0.3}, {1.0, 0.1, -0.4}),
-                            light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 0.9}, {0.0, 0.0, -1.0}),
-                            light_of("cylinder:r=20cm,l=60cm", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};
-    const Ball around{{0.1, -0.2, 2.4}, 0.7};
+    const Vec at(0.1, -0.2, 2.4);
+    const Vec beside(0.1, -0.2, 0.9);
+    const Vec down(0.2, 0.1, -1.0);
+    const std::array lights{std::pair{light_of("sphere:r=30cm", "1000cd", at), 0.3},
+                            std::pair{light_of("disk:r=40cm", "1000cd", at, down), 0.4},
+                            std::pair{light_of("ellipse:w=1.2m,h=30cm", "1000cd", at, down), 0.6},
+                            std::pair{light_of("rect:w=1m,h=40cm", "1000cd", at, down), 0.54},
+                            std::pair{light_of("rect:w=3m,h=4m", "1000cd", beside, {1.0, 0.1, -0.4}), 2.5},
+                            std::pair{light_of("tube:r=8cm,l=1.2m", "1000cd", beside, {0.0, 0.0, -1.0}), 0.68},
+                            std::pair{light_of("cylinder:r=20cm,l=60cm", "1000cd", at, {0.0, 0.0, -1.0}), 0.37}};
     test::Numbers random(31);
     std::vector<Case> made;
-    for (const Light& light : lights)
+    for (const auto& [light, radius] : lights)
         for (std::size_t i = 0; i < 40; ++i) {
+            const Ball around{light.frame.origin, radius};
             std::vector<ShadowBody> bodies;
             for (std::size_t body = 0; body <= i % 5; ++body)
                 bodies.push_back(gonio::detail::shadow_body(any_body(random), around));
