@@ -216,7 +216,8 @@ Result<Made> make_texture(const TextureJob& job, ReportKind kind) {
     const auto sidecar_of = [&] { return texture_sidecar(*texture, {source.file, source.sha256}, description); };
     std::vector<OutputFile> files;
     const int width = texture->image.width / static_cast<int>(job.pictures.size());
-    const media::ImageWriteOptions writing = write_options(sidecar_of(), job.pixel, channels_of(request));
+    media::ImageWriteOptions writing = write_options(sidecar_of(), job.pixel, channels_of(request));
+    writing.threads = request.bake.threads;
     for (std::size_t i = 0; i < job.pictures.size(); ++i) {
         Result<std::string> bytes = media::encode_image(
             picture_of(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);

@@ -125,7 +125,8 @@ public:
         *all = {};
         if (Result<void> added = add_lights(options, diagnostics); !added) return pass_on(added);
         return layered_.encode({{"gonio:unit", std::string("cd/m2")},
-                                {"gonio:exposure_ev100", std::vector<float>{static_cast<float>(exposure_.value)}}});
+                                {"gonio:exposure_ev100", std::vector<float>{static_cast<float>(exposure_.value)}}},
+                               options.threads);
     }
 
     Ev100 exposure() const { return exposure_; }

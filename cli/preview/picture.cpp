@@ -104,6 +104,7 @@ private:
         media::ImageWriteOptions write;
         write.pixel = media::Pixel::float32;
         write.color_space = "Linear";
+        write.threads = request_.render.threads;
         if (request_.look.look != Look::beauty) {
             const char* const unit = request_.look.quantity == PictureQuantity::illuminance ? "lx" : "cd/m2";
             write.channel_names = {"Y"};

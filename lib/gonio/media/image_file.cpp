@@ -1,4 +1,5 @@
 #include <gonio/base/nearest.hpp>
+#include <gonio/base/parallel.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/media/detail/open_module.hpp>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <type_traits>
 
@@ -209,6 +211,23 @@ ImageAttribute from_abi(const abi::Attribute& attribute) {
     return result;
 }
 
+// parallel_for() for a module. What ends it early is kept for the caller of the module.
+struct LentLoop {
+    unsigned threads = 1;
+    std::exception_ptr failure;
+
+    static bool run(void* loop, std::size_t count, void (*work)(void*, std::size_t), void* data) noexcept {
+        auto& self = *static_cast<LentLoop*>(loop);
+        try {
+            parallel_for(count, self.threads, [&](std::size_t i) { work(data, i); });
+            return true;
+        } catch (...) {
+            self.failure = std::current_exception();
+            return false;
+        }
+    }
+};
+
 } // namespace
 
 std::string_view to_text(Pixel pixel) {
@@ -288,11 +307,14 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
         attribute_table.push_back(to_abi(attribute));
 
     const std::string writer(format.writer);
+    LentLoop loop{options.threads, {}};
     const abi::EncodeRequest request{
-        writer.c_str(), image.width,          image.height,           image.channels,        pixels,
-        kind_of(pixel), name_pointers.data(), attribute_table.data(), attribute_table.size()};
+        writer.c_str(), image.width,          image.height,           image.channels,         pixels,
+        kind_of(pixel), name_pointers.data(), attribute_table.data(), attribute_table.size(), {&loop, LentLoop::run}};
     abi::EncodeReply reply{};
-    if (const int status = (*module)->encode(&request, &reply); status != 0)
+    const int status = (*module)->encode(&request, &reply);
+    if (loop.failure) std::rethrow_exception(loop.failure);
+    if (status != 0)
         return fail(detail::cause_of(status),
                     fmt::format("the picture cannot be written as {}: {}", format.title, reply.message));
     std::string bytes(reinterpret_cast<const char*>(reply.bytes), reply.size);

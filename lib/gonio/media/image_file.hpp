@@ -73,6 +73,8 @@ struct ImageWriteOptions {
     bool dither = false;
     // half only: stores ±65504 for larger values instead of failing.
     bool saturate = false;
+    // OpenEXR: the threads that compress it; 0: all processors. The bytes are the same.
+    unsigned threads = 1;
 };
 
 // The bytes of a file of `format`. Fails (unsupported) when the format cannot store that many channels or such pixels,

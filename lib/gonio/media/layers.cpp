@@ -70,12 +70,13 @@ void LayeredImage::add(std::string_view name, const Image& picture) {
                     image_.pixels.begin() + static_cast<std::ptrdiff_t>(to));
 }
 
-Result<std::string> LayeredImage::encode(std::vector<ImageAttribute> attributes) const {
+Result<std::string> LayeredImage::encode(std::vector<ImageAttribute> attributes, unsigned threads) const {
     ImageWriteOptions options;
     options.pixel = Pixel::float32;
     options.color_space = "Linear";
     options.channel_names = channel_names_;
     options.attributes = std::move(attributes);
+    options.threads = threads;
     return encode_image(image_, *find_image_format("exr"), options);
 }
 

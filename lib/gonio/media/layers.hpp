@@ -34,8 +34,8 @@ public:
     // layer_names(), or empty.
     void add(std::string_view name, const Image& picture);
 
-    // Encodes the layers that were added, as encode_image() does with 32-bit floats.
-    Result<std::string> encode(std::vector<ImageAttribute> attributes) const;
+    // Encodes the layers that were added, as encode_image() does with 32-bit floats and that many threads.
+    Result<std::string> encode(std::vector<ImageAttribute> attributes, unsigned threads = 1) const;
 
 private:
     Image image_;

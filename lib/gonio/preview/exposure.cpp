@@ -95,8 +95,7 @@ private:
     };
 
     static double subjects(Pixels::const_iterator first, Pixels::const_iterator last) {
-        return static_cast<double>(
-            std::count_if(first, last, [](const Metered& pixel) { return pixel.is_subject; }));
+        return static_cast<double>(std::count_if(first, last, [](const Metered& pixel) { return pixel.is_subject; }));
     }
     double weight(Pixels::const_iterator first, Pixels::const_iterator last) const {
         const double of_subject = subjects(first, last);

@@ -21,12 +21,12 @@ inline constexpr std::size_t light_line_count = 8;
 
 template<class S>
 struct LightLine {
-    vec3<S> from;   // the ends, relative to the receiver [m]: on the light, or where rays are tangent to it
+    vec3<S> from; // the ends, relative to the receiver [m]: on the light, or where rays are tangent to it
     vec3<S> to;
     vec3<S> across; // unit: in the line's plane, perpendicular to the axis
     S low;          // sines of the elevation, of `from` and of `to`
     S high;
-    S turn;         // dβ of its stripe [rad]
+    S turn; // dβ of its stripe [rad]
 
     GONIO_FORCE_INLINE S solid_angle() const { return turn * (high - low); }
 };
@@ -80,10 +80,9 @@ private:
     static constexpr double step = 3.14159265358979323846 / static_cast<double>(light_line_count);
 
     // Cosine and sine of θ = π (i + 1/2) / 8, at which lines of round lights are.
-    static constexpr double cosines[light_line_count] = {0.98078528040323044913,  0.83146961230254523708,
-                                                         0.55557023301960222474,  0.19509032201612826785,
-                                                         -0.19509032201612826785, -0.55557023301960222474,
-                                                         -0.83146961230254523708, -0.98078528040323044913};
+    static constexpr double cosines[light_line_count] = {
+        0.98078528040323044913,  0.83146961230254523708,  0.55557023301960222474,  0.19509032201612826785,
+        -0.19509032201612826785, -0.55557023301960222474, -0.83146961230254523708, -0.98078528040323044913};
     GONIO_FORCE_INLINE static S cosine_at(std::size_t i) { return S(cosines[i]); }
     GONIO_FORCE_INLINE static S sine_at(std::size_t i) {
         return S(cosines[i < light_line_count / 2 ? light_line_count / 2 - 1 - i : i - light_line_count / 2]);
@@ -179,7 +178,8 @@ private:
         // The direction to that side, turned step by step.
         Turn towards = Turn{height, side} * half_step;
         for (std::size_t i = 0; i < light_line_count; ++i) {
-            const S off = simd::max(simd::min(height * (towards.sine / towards.cosine) - middle, half_width), -half_width);
+            const S off =
+                simd::max(simd::min(height * (towards.sine / towards.cosine) - middle, half_width), -half_width);
             towards = towards * whole_step;
             const vec3<S> from_center = other * off;
             S low(-1e300);

@@ -13,7 +13,7 @@ namespace gonio::detail {
 
 template<class S>
 struct ShadowEdge {
-    S distance = S(1e300); // at most the angle between them [rad]; negative inside round objects
+    S distance = S(1e300);            // at most the angle between them [rad]; negative inside round objects
     vec3<S> across{S(0), S(0), S(0)}; // across the edge, of any length
 
     GONIO_FORCE_INLINE void take(simd::mask_of<S> where, const ShadowEdge& other) {
@@ -80,8 +80,7 @@ private:
         const Corner a(center - half, towards_);
         const Corner b(center + half, towards_);
         const vec3<S> way = b.at - a.at;
-        const S place =
-            simd::max(simd::min(-dot(a.at, way) * shading::reciprocal_or_zero(dot(way, way)), S(1)), S(0));
+        const S place = simd::max(simd::min(-dot(a.at, way) * shading::reciprocal_or_zero(dot(way, way)), S(1)), S(0));
         const S nearest = length(a.at + way * place);
         const S radius(capsule.radius);
         const auto is_outside = nearest > radius;
@@ -143,13 +142,12 @@ private:
                            normal};
         if (simd::all(is_plane)) return edge;
         // The receiver is in line with the segment, or on it.
-        const auto is_on_it = simd::both(!is_plane, !simd::both(simd::both(a.length > S(0), b.length > S(0)),
-                                                               dot(a.at, b.at) >= S(0)));
+        const auto is_on_it =
+            simd::both(!is_plane, !simd::both(simd::both(a.length > S(0), b.length > S(0)), dot(a.at, b.at) >= S(0)));
         edge.distance = simd::select(is_plane, edge.distance, simd::select(is_on_it, S(0), a.off));
         edge.across = shading::select<S>(
             is_plane, edge.across,
-            shading::select<S>(is_on_it, towards_,
-                               a.at * shading::reciprocal_or_zero(a.length) - towards_));
+            shading::select<S>(is_on_it, towards_, a.at * shading::reciprocal_or_zero(a.length) - towards_));
         return edge;
     }
 

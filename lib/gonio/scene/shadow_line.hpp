@@ -89,9 +89,7 @@ struct ShareOfWay {
     S part;
     S whole;
 
-    GONIO_FORCE_INLINE simd::mask_of<S> is_before_line() const {
-        return simd::both(part > S(0), part <= whole);
-    }
+    GONIO_FORCE_INLINE simd::mask_of<S> is_before_line() const { return simd::both(part > S(0), part <= whole); }
 };
 
 // How rays pass a sphere, or an endless cylinder, which follows the same formulas in the plane across its axis.
@@ -171,8 +169,8 @@ public:
                                 const vec3<S>& b, S side_b) const {
         const auto a_is_below = side_a < S(0);
         const auto b_is_below = side_b < S(0);
-        const auto is_cut = simd::both(
-            where, simd::either(simd::both(a_is_below, !b_is_below), simd::both(b_is_below, !a_is_below)));
+        const auto is_cut =
+            simd::both(where, simd::either(simd::both(a_is_below, !b_is_below), simd::both(b_is_below, !a_is_below)));
         if (!simd::any(is_cut)) return;
         // cut = u from + v along, where u is the share of the way and v/u the position on the line.
         const vec3<S> cut = a + (b - a) * (side_a / (side_a - side_b));
@@ -215,7 +213,7 @@ public:
 
 private:
     vec3<S> normal_;
-    S height_; // of the receiver
+    S height_;     // of the receiver
     mask is_free_; // the receiver does not touch it
 };
 
@@ -280,7 +278,7 @@ private:
 
     vec3<S> x_, y_, z_, middle_;
     S half_width_, half_height_;
-    S height_; // of the receiver
+    S height_;     // of the receiver
     mask is_free_; // the receiver does not touch it
     bool is_apart_;
     vec3<S> corner_[4];
@@ -297,9 +295,7 @@ public:
           is_outside_(round_.power > S(0)),
           is_apart_(ball.is_apart) {}
 
-    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_outside_, round_.blocks(way));
-    }
+    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const { return simd::both(is_outside_, round_.blocks(way)); }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         const auto where =

@@ -111,15 +111,13 @@ inline constexpr std::int64_t magnitude_bits = 0x7FFFFFFFFFFFFFFF;
 template<class Isa>
 GONIO_FORCE_INLINE doubles<Isa> copysign(doubles<Isa> x, doubles<Isa> sign) {
     using bits = typename doubles_mask<Isa>::vector;
-    return doubles<Isa>(reinterpret_cast<typename doubles<Isa>::vector>((reinterpret_cast<bits>(x.v) & magnitude_bits) |
-                                                                        (reinterpret_cast<bits>(sign.v) &
-                                                                         ~magnitude_bits)));
+    return doubles<Isa>(reinterpret_cast<typename doubles<Isa>::vector>(
+        (reinterpret_cast<bits>(x.v) & magnitude_bits) | (reinterpret_cast<bits>(sign.v) & ~magnitude_bits)));
 }
 template<class Isa>
 GONIO_FORCE_INLINE doubles<Isa> abs(doubles<Isa> x) {
     using bits = typename doubles_mask<Isa>::vector;
-    return doubles<Isa>(
-        reinterpret_cast<typename doubles<Isa>::vector>(reinterpret_cast<bits>(x.v) & magnitude_bits));
+    return doubles<Isa>(reinterpret_cast<typename doubles<Isa>::vector>(reinterpret_cast<bits>(x.v) & magnitude_bits));
 }
 
 template<class Isa>

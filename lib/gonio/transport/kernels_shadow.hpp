@@ -1,8 +1,8 @@
 // How much of a light with a size many receivers see past what stands before it, on the widest vector unit.
 //
 // The light is divided into lines (scene/light_lines.hpp), of each of which every body hides one piece
-// (scene/shadow_line.hpp); each line is divided into cells. All numbers are doubles, lengths metres. Every set gives the
-// same bits, and a receiver's share does not depend on the others. Nothing fails or allocates.
+// (scene/shadow_line.hpp); each line is divided into cells. All numbers are doubles, lengths metres. Every set gives
+// the same bits, and a receiver's share does not depend on the others. Nothing fails or allocates.
 #pragma once
 
 #include <gonio/scene/shadow_numbers.hpp>

@@ -69,7 +69,8 @@ public:
         set(count_++, new_low, new_high);
     }
     // From positions on a line to sines of the elevation, which grow with them.
-    GONIO_FORCE_INLINE void measure(const LightLines<S>& lines, const LightLine<S>& line, const LightLineSeen<S>& seen) {
+    GONIO_FORCE_INLINE void measure(const LightLines<S>& lines, const LightLine<S>& line,
+                                    const LightLineSeen<S>& seen) {
         const auto sine_at = [&](S t) {
             const S within = lines.sine_of(seen.at(t));
             return simd::select(t <= S(0), line.low, simd::select(t >= S(1), line.high, within));
@@ -134,16 +135,15 @@ private:
         const vec3<S> towards = to_light * shading::reciprocal_or_zero(distance);
         // Near a wide light, its bounding sphere is all around.
         const auto is_within = distance <= light_radius;
-        const S half_angle =
-            simd::select(is_within, S(3.14159265358979323846),
-                         simd::arc_sine(simd::select(is_within, S(0), light_radius / distance)));
+        const S half_angle = simd::select(is_within, S(3.14159265358979323846),
+                                          simd::arc_sine(simd::select(is_within, S(0), light_radius / distance)));
         const gonio::detail::NearestEdge<S> nearest_edge(point_, towards);
         ShadowEdge<S> nearest;
         bool is_any = false;
         for (std::size_t i = 0; i < body_count_; ++i) {
             const ShadowBody& body = bodies_[i];
-            mask is_near = simd::both(distance > S(0), gonio::detail::may_stand_before(body, point_, light_center,
-                                                                                       light_radius));
+            mask is_near =
+                simd::both(distance > S(0), gonio::detail::may_stand_before(body, point_, light_center, light_radius));
             if (simd::any(is_near)) {
                 const ShadowEdge<S> edge = nearest_edge(body);
                 // Leaves out a solid beside the light that does not overlap it. One without an edge in front of the
@@ -222,10 +222,9 @@ private:
                 const S hidden = hidden_[i].within(from, to_end);
                 const S shown = simd::select(hidden < to_end - from, simd::max(S(1) - hidden * per_width, S(0)), S(0));
                 const S share = simd::select(is_wide, shown, S(1));
-                const vec3<S> towards =
-                    lines_.direction(line, line.low + (line.high - line.low) *
-                                                          S((static_cast<double>(cell) + 0.5) /
-                                                            static_cast<double>(ShadowShares::cells_of_line)));
+                const vec3<S> towards = lines_.direction(
+                    line, line.low + (line.high - line.low) * S((static_cast<double>(cell) + 0.5) /
+                                                                static_cast<double>(ShadowShares::cells_of_line)));
                 const S weight = solid_angle * simd::max(dot(normal, towards), S(0));
                 all = all + solid_angle;
                 seen = seen + solid_angle * share;

@@ -116,8 +116,7 @@ void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
         const double* const at = cells_.data() + cell * block + i;
         seen_[cell] = at[0];
         towards_[cell] = {at[2 * all], at[3 * all], at[4 * all]};
-        light_of_[cell] =
-            at[all] * (light_->luminance ? light_->luminance->towards(point, towards_[cell]) : 1.0);
+        light_of_[cell] = at[all] * (light_->luminance ? light_->luminance->towards(point, towards_[cell]) : 1.0);
     }
 }
 

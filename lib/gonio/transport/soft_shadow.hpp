@@ -48,7 +48,7 @@ private:
 
 // The share of a light that reaches a point.
 struct VisibleShare {
-    double lx = 1.0;    // of its illuminance, in [0, 1]: exactly 1 if nothing is in the way, exactly 0 if all is hidden
+    double lx = 1.0; // of its illuminance, in [0, 1]: exactly 1 if nothing is in the way, exactly 0 if all is hidden
     glm::vec3 rgb{1.0F}; // of the luminance that the surface shows, per channel
 };
 

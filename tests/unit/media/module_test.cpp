@@ -45,7 +45,7 @@ TEST(MediaModule, AnotherVersionIsRefused) {
     ASSERT_FALSE(table);
     EXPECT_EQ(table.error().failure, Failure::unsupported);
     EXPECT_EQ(reason(table).message,
-              "the module gonio-image.so belongs to another version of gonio: its interface has version 4711, not 3");
+              "the module gonio-image.so belongs to another version of gonio: its interface has version 4711, not 4");
 }
 
 TEST(MediaModule, WhatIsNoModuleIsRefused) {

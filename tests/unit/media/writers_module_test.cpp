@@ -1,4 +1,5 @@
 // gonio-writers.so against gonio-image.so: both write the same pixels and attributes, as OpenImageIO reads them.
+#include <gonio/base/parallel.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/media/module.hpp>
@@ -74,6 +75,11 @@ bool same(const decltype(ImageAttribute::value)& mine, const decltype(ImageAttri
            (mine == decltype(ImageAttribute::value)("linear") && other == decltype(ImageAttribute::value)("Linear"));
 }
 
+bool run_loop(void* threads, std::size_t count, void (*work)(void*, std::size_t), void* data) {
+    parallel_for(count, *static_cast<const unsigned*>(threads), [&](std::size_t i) { work(data, i); });
+    return true;
+}
+
 class WritersModule : public ::testing::Test {
 protected:
     void SetUp() override { set_module_folders({test::modules_folder}); }
@@ -84,10 +90,17 @@ protected:
         const std::vector<float> pixels =
             values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels.size(),
                    pixel == abi::pixel_uint8 || pixel == abi::pixel_uint16);
-        const abi::EncodeRequest request{
-            format,           width, height,          static_cast<std::int32_t>(channels.size()),
-            pixels.data(),    pixel, channels.data(), attributes.data(),
-            attributes.size()};
+        unsigned threads = 1;
+        const abi::EncodeRequest request{format,
+                                         width,
+                                         height,
+                                         static_cast<std::int32_t>(channels.size()),
+                                         pixels.data(),
+                                         pixel,
+                                         channels.data(),
+                                         attributes.data(),
+                                         attributes.size(),
+                                         {&threads, run_loop}};
         const Written by_writers = write(*detail::writers_module().value(), request);
         const Written by_image = write(*detail::image_module().value(), request);
         EXPECT_EQ(by_writers.status, 0) << by_writers.message;
@@ -112,7 +125,8 @@ protected:
                 found = found || (mine.name == attribute.name && same(mine.value, attribute.value));
             EXPECT_TRUE(found) << attribute.name;
         }
-        EXPECT_EQ(write(*detail::writers_module().value(), request).bytes, by_writers.bytes);
+        for (threads = 1; threads <= 3; ++threads)
+            EXPECT_EQ(write(*detail::writers_module().value(), request).bytes, by_writers.bytes) << threads;
         return by_writers.bytes;
     }
 };
@@ -145,7 +159,8 @@ TEST_F(WritersModule, WritesOpenExrAsOpenImageIoDoes) {
                     {"gonio:pair", abi::attribute_ints, 2, nullptr, nullptr, whole},
                     {"gonio:triple", abi::attribute_ints, 3, nullptr, nullptr, whole}};
                 if (*compression != 0) attributes.push_back(text("compression", compression));
-                for (const auto& [width, height] : {std::pair{1, 1}, std::pair{37, 35}, std::pair{64, 32}})
+                for (const auto& [width, height] :
+                     {std::pair{1, 1}, std::pair{37, 35}, std::pair{64, 32}, std::pair{3, 4500}})
                     compare("openexr", pixel, width, height, channels, attributes);
             }
 }
@@ -172,8 +187,11 @@ TEST_F(WritersModule, RefusesWhatItDoesNotHave) {
     const float pixel = 0.5F;
     const char* const name = "Y";
     const abi::Attribute dwaa = text("compression", "dwaa");
-    EXPECT_EQ(write(module, {"tiff", 1, 1, 1, &pixel, abi::pixel_float, &name, nullptr, 0}).status, abi::unsupported);
-    const Written lossy = write(module, {"openexr", 1, 1, 1, &pixel, abi::pixel_float, &name, &dwaa, 1});
+    unsigned threads = 1;
+    const abi::ParallelLoop loop{&threads, run_loop};
+    EXPECT_EQ(write(module, {"tiff", 1, 1, 1, &pixel, abi::pixel_float, &name, nullptr, 0, loop}).status,
+              abi::unsupported);
+    const Written lossy = write(module, {"openexr", 1, 1, 1, &pixel, abi::pixel_float, &name, &dwaa, 1, loop});
     EXPECT_EQ(lossy.status, abi::unsupported);
     EXPECT_EQ(lossy.message, "no compression 'dwaa'");
     abi::DecodeReply reply{};

@@ -5,8 +5,8 @@
 #include <gonio/scene/probe.hpp>
 
 #include "../light/lights.hpp"
-#include "numbers.hpp"
 #include "../web/webs.hpp"
+#include "numbers.hpp"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -51,8 +51,8 @@ struct Shares {
     bool is_in_penumbra(std::size_t i) const { return visible[i] > 0.0 && visible[i] < 1.0; }
 };
 
-Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& light, const std::vector<ShadowBody>& bodies,
-                 const Receivers& at) {
+Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& light,
+                 const std::vector<ShadowBody>& bodies, const Receivers& at) {
     ShadowReceivers receivers;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         receivers.position[axis] = at.numbers[axis].data();

@@ -11,7 +11,7 @@
 
 namespace gonio::media::abi {
 
-inline constexpr std::uint32_t image_version = 3;
+inline constexpr std::uint32_t image_version = 4;
 
 enum PixelKind : std::int32_t { pixel_uint8 = 0, pixel_uint16 = 1, pixel_half = 2, pixel_float = 3 };
 enum AttributeKind : std::int32_t { attribute_text = 0, attribute_floats = 1, attribute_ints = 2 };
@@ -25,6 +25,13 @@ struct Attribute {
     const std::int32_t* ints; // attribute_ints
 };
 
+// A loop over pieces of work on several threads, which the module is lent. run() calls work(data, i) for each i below
+// `count`, in any order; work must not throw. False if it ended before all was done; then the request fails.
+struct ParallelLoop {
+    void* loop;
+    bool (*run)(void* loop, std::size_t count, void (*work)(void* data, std::size_t i), void* data);
+};
+
 struct EncodeRequest {
     const char* format; // OpenImageIO's name for the writer: "openexr"
     std::int32_t width;
@@ -35,6 +42,7 @@ struct EncodeRequest {
     const char* const* channel_names; // `channels` of them
     const Attribute* attributes;
     std::size_t attribute_count;
+    ParallelLoop parallel;
 };
 
 struct EncodeReply {

@@ -135,51 +135,99 @@ private:
         }
     }
 
-    // The channel of the request with that name: a chunk has them in the order of their names.
-    std::size_t channel_named(std::string_view name) const {
+    // The first value of the channel with that name: a chunk has channels in the order of their names. Null if there is
+    // none.
+    const float* channel_named(std::string_view name) const noexcept {
         for (std::int32_t channel = 0; channel < request_.channels; ++channel)
-            if (name == request_.channel_names[channel]) return static_cast<std::size_t>(channel);
-        throw std::runtime_error("a channel has got lost");
+            if (name == request_.channel_names[channel]) return request_.pixels + channel;
+        return nullptr;
     }
 
+    // What a chunk becomes, on any thread.
+    struct Chunk {
+        std::vector<std::uint8_t> bytes;
+        exr_result_t result = EXR_ERR_SUCCESS;
+    };
+
+    // Compressed by several threads, some chunks at a time, and then written in their order.
     void write_chunks() {
-        std::int32_t lines = 1;
-        check(exr_get_scanlines_per_chunk(context_, 0, &lines));
+        constexpr std::size_t at_once = 256;
+        check(exr_get_scanlines_per_chunk(context_, 0, &lines_));
+        const auto lines = static_cast<std::size_t>(lines_);
+        const std::size_t count = (static_cast<std::size_t>(request_.height) + lines - 1) / lines;
+        for (first_ = 0; first_ < count; first_ += at_once) {
+            chunks_.assign(std::min(at_once, count - first_), Chunk());
+            check(exr_write_scanline_chunk_info(context_, 0, line_of(0), &first_info_)); // of the next one alone
+            const auto compress = [](void* writer, std::size_t i) noexcept {
+                static_cast<Writer*>(writer)->compress(i);
+            };
+            if (!request_.parallel.run(request_.parallel.loop, chunks_.size(), compress, this))
+                throw std::runtime_error("stopped");
+            for (std::size_t i = 0; i < chunks_.size(); ++i) {
+                check(chunks_[i].result);
+                check(exr_write_scanline_chunk(context_, 0, line_of(i), chunks_[i].bytes.data(),
+                                               chunks_[i].bytes.size()));
+            }
+        }
+    }
+
+    std::int32_t line_of(std::size_t chunk) const { return static_cast<std::int32_t>(first_ + chunk) * lines_; }
+
+    void compress(std::size_t i) noexcept {
+        exr_encode_pipeline_t encoder{};
+        chunks_[i].result = compress(i, encoder);
+        exr_encoding_destroy(context_, &encoder);
+    }
+
+    exr_result_t compress(std::size_t i, exr_encode_pipeline_t& encoder) noexcept {
+        const std::int32_t y = line_of(i);
         const auto channels = static_cast<std::size_t>(request_.channels);
         const std::size_t row = channels * static_cast<std::size_t>(request_.width);
-        exr_encode_pipeline_t encoder{};
-        const auto encode = [&](std::int32_t y) {
-            exr_chunk_info_t chunk;
-            check(exr_write_scanline_chunk_info(context_, 0, y, &chunk));
-            if (y == 0)
-                check(exr_encoding_initialize(context_, 0, &chunk, &encoder));
-            else
-                check(exr_encoding_update(context_, 0, &chunk, &encoder));
-            for (std::int16_t i = 0; i < encoder.channel_count; ++i) {
-                exr_coding_channel_info_t& channel = encoder.channels[i];
-                channel.user_bytes_per_element = sizeof(float);
-                channel.user_data_type = EXR_PIXEL_FLOAT;
-                channel.user_pixel_stride = static_cast<std::int32_t>(channels * sizeof(float));
-                channel.user_line_stride = static_cast<std::int32_t>(row * sizeof(float));
-                channel.encode_from_ptr = reinterpret_cast<const std::uint8_t*>(
-                    request_.pixels + static_cast<std::size_t>(y) * row + channel_named(channel.channel_name));
-            }
-            if (y == 0) check(exr_encoding_choose_default_routines(context_, 0, &encoder));
-            check(exr_encoding_run(context_, 0, &encoder));
-        };
-        try {
-            for (std::int32_t y = 0; y < request_.height; y += lines)
-                encode(y);
-        } catch (...) {
-            exr_encoding_destroy(context_, &encoder);
-            throw;
+        exr_chunk_info_t chunk = first_info_;
+        chunk.idx += static_cast<std::int32_t>(i);
+        chunk.start_y = y;
+        chunk.height = std::min(lines_, request_.height - y);
+        chunk.unpacked_size = chunk.unpacked_size / static_cast<std::uint64_t>(first_info_.height) *
+                              static_cast<std::uint64_t>(chunk.height);
+        if (const exr_result_t failed = exr_encoding_initialize(context_, 0, &chunk, &encoder)) return failed;
+        for (std::int16_t c = 0; c < encoder.channel_count; ++c) {
+            exr_coding_channel_info_t& channel = encoder.channels[c];
+            channel.user_bytes_per_element = sizeof(float);
+            channel.user_data_type = EXR_PIXEL_FLOAT;
+            channel.user_pixel_stride = static_cast<std::int32_t>(channels * sizeof(float));
+            channel.user_line_stride = static_cast<std::int32_t>(row * sizeof(float));
+            const float* const first = channel_named(channel.channel_name);
+            if (first == nullptr) return EXR_ERR_INVALID_ARGUMENT;
+            channel.encode_from_ptr = reinterpret_cast<const std::uint8_t*>(first + static_cast<std::size_t>(y) * row);
         }
-        exr_encoding_destroy(context_, &encoder);
+        if (const exr_result_t failed = exr_encoding_choose_default_routines(context_, 0, &encoder)) return failed;
+        encoder.encoding_user_data = &chunks_[i];
+        encoder.yield_until_ready_fn = nullptr; // it insists on the order of the file
+        encoder.write_fn = keep_chunk;
+        return exr_encoding_run(context_, 0, &encoder);
+    }
+
+    static exr_result_t keep_chunk(exr_encode_pipeline_t* encoder) noexcept {
+        try {
+            // Readers take a chunk that is as long as its pixels for one that is not compressed.
+            const bool is_smaller = encoder->compressed_bytes < encoder->packed_bytes;
+            const auto* const bytes =
+                static_cast<const std::uint8_t*>(is_smaller ? encoder->compressed_buffer : encoder->packed_buffer);
+            const std::size_t size = is_smaller ? encoder->compressed_bytes : encoder->packed_bytes;
+            static_cast<Chunk*>(encoder->encoding_user_data)->bytes.assign(bytes, bytes + size);
+            return EXR_ERR_SUCCESS;
+        } catch (...) {
+            return EXR_ERR_OUT_OF_MEMORY;
+        }
     }
 
     const abi::EncodeRequest& request_;
     Target target_;
     exr_context_t context_ = nullptr;
+    std::int32_t lines_ = 1; // of a chunk
+    std::vector<Chunk> chunks_;
+    std::size_t first_ = 0; // the number of the first of them in the file
+    exr_chunk_info_t first_info_{};
 };
 
 } // namespace

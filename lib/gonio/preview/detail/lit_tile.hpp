@@ -89,9 +89,9 @@ private:
         std::vector<std::uint32_t> index;
         ShadowPoints points;
     };
-    std::vector<Centers> centers_;             // made for the first light with shadows
-    std::vector<Visible> center_visible_;      // for each centre; 1 where no surface is visible
-    ShadowPoints within_;                      // points of pixels on outlines
+    std::vector<Centers> centers_;        // made for the first light with shadows
+    std::vector<Visible> center_visible_; // for each centre; 1 where no surface is visible
+    ShadowPoints within_;                 // points of pixels on outlines
     std::vector<Visible> visible_at_;
     std::vector<std::uint8_t> on_shadow_edge_; // for each centre
     std::vector<std::size_t> edges_;           // the centres on a shadow edge
