@@ -235,9 +235,9 @@ Result<void> show_exposed(std::span<ExposedPicture> pictures, const PreviewReque
 void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
     // A surface with an albedo of 1e-9 or more reaches this at the ceiling; the sun's disk has 1.6e9 cd/m².
     constexpr float suspicious_nt = 1e20F;
-    const float greatest = std::accumulate(luminance_nt.pixels.begin(), luminance_nt.pixels.end(), 0.0F,
-                                           [](float a, float b) { return std::max(a, b); });
-    if (greatest < suspicious_nt) return;
+    const std::vector<float>& pixels = luminance_nt.pixels;
+    if (std::none_of(pixels.begin(), pixels.end(), [](float nt) { return nt >= suspicious_nt; })) return;
+    const float greatest = *std::max_element(pixels.begin(), pixels.end());
     diagnostics.push_back(result_diagnostic("RES0203",
                                             fmt::format("pixels reach {:.3g} cd/m2: illuminance is limited to {} lx",
                                                         static_cast<double>(greatest), shading::illuminance_ceiling),
