@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -236,7 +237,8 @@ void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
     constexpr float suspicious_nt = 1e20F;
     const std::vector<float>& pixels = luminance_nt.pixels;
     if (std::none_of(pixels.begin(), pixels.end(), [](float nt) { return nt >= suspicious_nt; })) return;
-    const float greatest = *std::max_element(pixels.begin(), pixels.end());
+    const float greatest =
+        *std::max_element(pixels.begin(), pixels.end(), [](float a, float b) { return a < b || std::isnan(a); });
     diagnostics.push_back(result_diagnostic("RES0203",
                                             fmt::format("pixels reach {:.3g} cd/m2: illuminance is limited to {} lx",
                                                         static_cast<double>(greatest), shading::illuminance_ceiling),

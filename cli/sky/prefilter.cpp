@@ -190,7 +190,8 @@ Result<Json> prefilter_sky(const SkySource& from, const LoadedSky& loaded, const
         Result<std::string> bytes = media::encode_environment(
             images[i].map, *want->storage.format, want->storage.pixel,
             {{"gonio:prefilter", std::string(want->variant->name)},
-             {"gonio:roughness", std::vector<float>{static_cast<float>(images[i].roughness)}}});
+             {"gonio:roughness", std::vector<float>{static_cast<float>(images[i].roughness)}}},
+            request.threads);
         if (!bytes) return pass_on(bytes);
         PrefilterImage image{images[i].roughness, images[i].map.grid(), errors[i],
                              add(is_level ? want->level_file(i) : want->irradiance_file(), std::move(*bytes))};
@@ -201,6 +202,7 @@ Result<Json> prefilter_sky(const SkySource& from, const LoadedSky& loaded, const
     }
     media::ImageWriteOptions write;
     write.pixel = want->storage.pixel;
+    write.threads = request.threads;
     Result<std::string> bytes = media::encode_image(table->image(), *want->storage.format, write);
     if (!bytes) return pass_on(bytes);
     description.table_file = add(want->table_file(), std::move(*bytes));

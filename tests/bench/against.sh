@@ -18,8 +18,10 @@ commit=$(git -C "$here" rev-parse --verify --quiet "$1^{commit}") || {
 shift
 before=${GONIO_AGAINST:-${TMPDIR:-/tmp}/gonio-against}/$commit
 if [[ ! -e $before/CMakeLists.txt ]]; then
-    mkdir -p "$before"
-    git -C "$here" archive "$commit" | tar -x -C "$before"
+    rm -rf "$before.new"
+    mkdir -p "$before.new"
+    git -C "$here" archive "$commit" | tar -x -C "$before.new"
+    mv "$before.new" "$before"
 fi
 for tree in "$before" "$here"; do
     cmake -S "$tree" -B "$tree/build/against" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF >&2

@@ -54,8 +54,8 @@ Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nit
     description.nits_per_unit = nits_per_unit;
     description.pixel = to_text(storage.pixel);
     description.measures = measure(*as_written, threads);
-    Result<std::string> bytes =
-        encode_environment(*stored, *storage.format, storage.pixel, attributes_of(environment_sidecar(description)));
+    Result<std::string> bytes = encode_environment(*stored, *storage.format, storage.pixel,
+                                                   attributes_of(environment_sidecar(description)), threads);
     if (!bytes) return pass_on(bytes);
     description.file = file_record(name, *bytes);
     return EnvironmentFiles{std::move(*bytes), environment_sidecar(description)};
@@ -67,6 +67,7 @@ Result<std::vector<NamedBytes>> bytes_of(const AssetFile& file, unsigned threads
     ImageWriteOptions options;
     options.pixel = pixel_of(file.picture->texel_type);
     if (file.picture->image.channels == 1) options.channel_names = {"Y"};
+    options.threads = threads;
     Result<std::string> bytes = encode_image(file.picture->image, *find_image_format(file.name), options);
     if (!bytes) return pass_on(bytes);
     return std::vector<NamedBytes>{{file.name, std::move(*bytes)}};

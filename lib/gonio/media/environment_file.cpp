@@ -135,8 +135,9 @@ EnvironmentMap as_stored(const EnvironmentMap& map, double nits_per_unit, const 
 }
 
 Result<std::string> encode_environment(const EnvironmentMap& map, const ImageFormat& format, Pixel pixel,
-                                       std::vector<ImageAttribute> attributes) {
+                                       std::vector<ImageAttribute> attributes, unsigned threads) {
     ImageWriteOptions options;
+    options.threads = threads;
     options.pixel = pixel;
     options.color_space = "Linear";
     options.attributes = std::move(attributes);

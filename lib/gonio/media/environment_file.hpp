@@ -45,9 +45,10 @@ Result<EnvironmentImage> decode_environment(std::string_view bytes, const Enviro
 // that of the file. Radiance HDR has eight bits for a channel and one exponent for three.
 EnvironmentMap as_stored(const EnvironmentMap& map, double nits_per_unit, const ImageFormat& format, Pixel pixel);
 
-// As a file of the format. Attributes are added to those above. Fails as encode_image does.
+// As a file of the format. Attributes are added to those above; `threads` as in ImageWriteOptions. Fails as
+// encode_image does.
 Result<std::string> encode_environment(const EnvironmentMap& map, const ImageFormat& format, Pixel pixel,
-                                       std::vector<ImageAttribute> attributes);
+                                       std::vector<ImageAttribute> attributes, unsigned threads = 1);
 
 } // namespace gonio::media
 #pragma GCC visibility pop

@@ -73,7 +73,8 @@ struct ImageWriteOptions {
     bool dither = false;
     // half only: stores ±65504 for larger values instead of failing.
     bool saturate = false;
-    // OpenEXR: the threads that compress it; 0: all processors. The bytes are the same.
+    // OpenEXR without compression or with rle, zip, zips or piz: the threads that compress it; 0: all processors. The
+    // bytes are the same.
     unsigned threads = 1;
 };
 

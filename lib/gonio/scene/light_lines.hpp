@@ -296,8 +296,6 @@ private:
             // More than the circles' radius, as the receiver is outside.
             const S away = stripe.distance * stripe.cosine;
             const S circle = S(light_.radius) * stripe.sine_of_theta;
-            line.low = S(1);
-            line.high = S(-1);
             for (int i = 0; i < ends; ++i) {
                 const S end = i == 0 ? along - half : along + half;
                 const S to_middle2 = end * end + away * away;
@@ -306,14 +304,21 @@ private:
                 // Elevation of the middle, minus and plus the half angle of the circle.
                 const S low = (end * tangent - away * circle) / to_middle2;
                 const S high = (end * tangent + away * circle) / to_middle2;
-                const auto is_lower = low < line.low;
                 const vec3<S> from =
                     (line.across * ((away * tangent + end * circle) / to_middle2) + axis * low) * tangent;
+                const vec3<S> to =
+                    (line.across * ((away * tangent - end * circle) / to_middle2) + axis * high) * tangent;
+                if (i == 0) {
+                    line.from = from;
+                    line.to = to;
+                    line.low = low;
+                    line.high = high;
+                    continue;
+                }
+                const auto is_lower = low < line.low;
                 line.from = shading::select<S>(is_lower, from, line.from);
                 line.low = simd::select(is_lower, low, line.low);
                 const auto is_higher = high > line.high;
-                const vec3<S> to =
-                    (line.across * ((away * tangent - end * circle) / to_middle2) + axis * high) * tangent;
                 line.to = shading::select<S>(is_higher, to, line.to);
                 line.high = simd::select(is_higher, high, line.high);
             }

@@ -369,12 +369,8 @@ bool stops(const Primitive& body, const Ray& ray, double distance) {
 }
 
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light) {
-    return may_stand_between(body, bounds(body), points, light);
-}
-
-bool may_stand_between(const Primitive& body, const std::optional<Ball>& around, const Ball& points,
-                       const Ball& light) {
     if (std::visit(Parted{points, light}, body)) return false;
+    const std::optional<Ball> around = bounds(body);
     if (!around) return true;
     // All paths lie within the hull of the two spheres.
     const glm::dvec3 way = light.center - points.center;

@@ -48,8 +48,6 @@ bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, con
 // Whether an object may block light on its way from one sphere to points in another; if false, every visible_share is
 // 1. May return true when in doubt.
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light);
-// The same, where its bounds() are known.
-bool may_stand_between(const Primitive& body, const std::optional<Ball>& around, const Ball& points, const Ball& light);
 
 // Whether all of an object is on the other side of a flat light than all points of a sphere: it hides nothing of the
 // light from them. False for lights that are not flat.

@@ -1,7 +1,7 @@
 // Which objects matter to the shadow at a receiver, and the edge of a shadow that is seen nearest to a direction: lines
 // on the light that run across it are cut uniformly.
 //
-// S is double or simd::doubles, a receiver in each lane; positions but those of ShadowBody are relative to it.
+// S is double or simd::doubles, a receiver in each lane; positions except those of ShadowBody are relative to it.
 #pragma once
 
 #include <gonio/scene/shadow_line.hpp>
@@ -168,7 +168,7 @@ GONIO_FORCE_INLINE simd::mask_of<S> may_stand_before(const ShadowBody& body, con
         const S of_receiver = dot(from_middle, spread<S>(normal));
         const S of_light = dot(light_from_middle, spread<S>(normal));
         const auto is_beyond = simd::both(simd::abs(of_receiver) >= half - touching_distance(receiver),
-                                          simd::copysign(S(1), of_receiver) * of_light - light_radius >= half);
+                                          simd::select(of_receiver < S(0), -of_light, of_light) - light_radius >= half);
         parted = simd::either(parted, is_beyond);
     };
     if (body.kind == ShadowBody::Kind::plane || body.kind == ShadowBody::Kind::panel) part(body.z, S(0));

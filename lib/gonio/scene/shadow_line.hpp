@@ -2,8 +2,9 @@
 // hit a convex object form one piece. Its ends are where the line begins or ends, where it enters or leaves the object,
 // or where a ray is tangent to it: closed forms, without sampling.
 //
-// S is double or simd::doubles: a receiver in each lane, with lines of its own. All positions but those of ShadowBody
-// are relative to the receiver. One-sided surfaces that the receiver touches and solids that it lies in hide nothing.
+// S is double or simd::doubles: a receiver in each lane, with lines of its own. All positions except those of
+// ShadowBody are relative to the receiver. One-sided surfaces that the receiver touches and solids that it lies in hide
+// nothing.
 #pragma once
 
 #include <gonio/scene/shadow_numbers.hpp>
@@ -26,11 +27,10 @@ GONIO_FORCE_INLINE vec3<S> in_frame(const ShadowBody& body, const vec3<S>& v) {
     return {dot(spread<S>(body.x), v), dot(spread<S>(body.y), v), dot(spread<S>(body.z), v)};
 }
 
-// The distance within which a point of the stage counts as touching a one-sided surface: a receiver on the adjoining
-// surface of a room is not behind this one.
+// touching() of scene/detail/touching.hpp.
 template<class S>
 GONIO_FORCE_INLINE S touching_distance(const vec3<S>& point) {
-    return S(1e-7) * (S(1) + length(point));
+    return S(touching_share) * (S(1) + length(point));
 }
 
 // From `low` to `high` along the line, both in [0, 1]; nothing where low ≥ high.

@@ -5,6 +5,9 @@
 
 namespace gonio::detail {
 
+// A point touches a one-sided surface within this share of its distance from the origin and of 1 m.
+inline constexpr double touching_share = 1e-7;
+
 // A primitive; lengths in metres, in the coordinates of the stage.
 struct ShadowBody {
     enum class Kind : std::uint8_t { plane, panel, ball, box, capsule };

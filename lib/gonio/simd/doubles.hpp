@@ -1,8 +1,8 @@
 // doubles<Isa>: as many doubles as fit into one register of an instruction set, with the arithmetic of a double, for
 // geometry whose digits do not fit into a float.
 //
-// The names of scalar.hpp mean the same here, lane by lane, but that nothing is fused: every set gives the bits of a
-// plain double. Everything is inlined; nothing fails or allocates.
+// The names of scalar.hpp mean the same here, lane by lane, except that nothing is fused: every set gives the bits of
+// a plain double. Everything is inlined; nothing fails or allocates.
 #pragma once
 
 #include <gonio/simd/pack.hpp>
@@ -35,7 +35,7 @@ struct doubles {
     // The same number in each lane.
     template<class T>
     requires(RealScalar<T> || __is_same(T, int)) GONIO_FORCE_INLINE explicit doubles(T number)
-        : v(vector{} + static_cast<double>(number)) {}
+        : v(static_cast<double>(number) - vector{}) {} // keeps the sign of 0
 
     GONIO_FORCE_INLINE friend doubles operator+(doubles a, doubles b) { return doubles(a.v + b.v); }
     GONIO_FORCE_INLINE friend doubles operator-(doubles a, doubles b) { return doubles(a.v - b.v); }
@@ -72,16 +72,16 @@ GONIO_FORCE_INLINE doubles_mask<Isa> either(doubles_mask<Isa> a, doubles_mask<Is
     return {a.m | b.m};
 }
 template<class Isa>
-GONIO_FORCE_INLINE int lane_signs(doubles_mask<Isa> a) { // bit i is set if lane i is set
+GONIO_FORCE_INLINE int lane_bits(doubles_mask<Isa> a) { // bit i is set if lane i is set
     return Native<Isa>::sign_bits(reinterpret_cast<typename Native<Isa>::half_double>(a.m));
 }
 template<class Isa>
 GONIO_FORCE_INLINE bool any(doubles_mask<Isa> a) {
-    return lane_signs(a) != 0;
+    return lane_bits(a) != 0;
 }
 template<class Isa>
 GONIO_FORCE_INLINE bool all(doubles_mask<Isa> a) {
-    return lane_signs(a) == (1 << doubles<Isa>::lanes) - 1;
+    return lane_bits(a) == (1 << doubles<Isa>::lanes) - 1;
 }
 
 template<class Isa>

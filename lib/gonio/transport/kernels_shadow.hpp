@@ -1,8 +1,8 @@
 // How much of a light with a size many receivers see past what stands before it, on the widest vector unit.
 //
-// The light is divided into lines (scene/light_lines.hpp), of each of which every body hides one piece
-// (scene/shadow_line.hpp); each line is divided into cells. All numbers are doubles, lengths metres. Every set gives
-// the same bits, and a receiver's share does not depend on the others. Nothing fails or allocates.
+// The light is divided into lines (scene/light_lines.hpp). Every body hides at most one piece of each line
+// (scene/shadow_line.hpp), and each line is divided into cells. All numbers are doubles, lengths metres. Every set
+// gives the same bits, and a receiver's share does not depend on the others. Nothing fails or allocates.
 #pragma once
 
 #include <gonio/scene/shadow_numbers.hpp>
@@ -36,7 +36,7 @@ struct ShadowShares {
     double* towards[3] = {};
 };
 
-// Of a single body, at least; for each further one the same.
+// Doubles of scratch memory for each body: for up to 8 lanes a mark, and the two ends of one piece of each line.
 inline constexpr std::size_t shadow_scratch_numbers = 8 * (1 + 2 * ShadowShares::lines);
 
 struct ShadowKernels {

@@ -43,7 +43,8 @@ private:
     double* memory_;
 };
 
-// The hidden pieces of one line, disjoint in each lane; empty ones from 2 to −1.
+// The hidden pieces of one line, disjoint in each lane; empty ones from 2 to −1. Pieces that were taken into another
+// stay as empty ones, so the order of sums, and with it their bits, does not depend on the other lanes.
 template<class S>
 class HiddenPieces {
 public:
@@ -220,7 +221,8 @@ private:
                 const bool is_last = cell + 1 == ShadowShares::cells_of_line;
                 const S to_end = is_last ? line.high : line.low + width * S(static_cast<double>(cell + 1));
                 const S hidden = hidden_[i].within(from, to_end);
-                const S shown = simd::select(hidden < to_end - from, simd::max(S(1) - hidden * per_width, S(0)), S(0));
+                const auto is_hidden = simd::both(hidden > S(0), hidden >= to_end - from);
+                const S shown = simd::select(is_hidden, S(0), simd::max(S(1) - hidden * per_width, S(0)));
                 const S share = simd::select(is_wide, shown, S(1));
                 const vec3<S> towards = lines_.direction(
                     line, line.low + (line.high - line.low) * S((static_cast<double>(cell) + 0.5) /
@@ -249,7 +251,7 @@ private:
         const S of_all = simd::select(is_there, simd::min(seen / simd::select(is_there, all, S(1)), S(1)), S(1));
         const S of_above = simd::min(seen_above / simd::select(is_above, all_above, S(1)), S(1));
         const S share = simd::select(is_above, of_above, of_all);
-        const auto is_whole = simd::either(!lines_.is_seen, least_seen == S(1));
+        const auto is_whole = simd::either(simd::either(!lines_.is_seen, hiders_ == S(0)), least_seen == S(1));
         return simd::select(is_whole, S(1), simd::select(most_seen == S(0), S(0), share));
     }
 

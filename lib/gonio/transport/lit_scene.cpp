@@ -131,7 +131,6 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
     for (const Surface& surface : stage.surfaces) {
-        body_bounds.push_back(bounds(surface.geometry));
         core_materials.push_back(seen_material(surface.material, options.specular));
         materials.push_back(constants(core_materials.back()));
         diffuse_materials.push_back(constants(seen_material(surface.material, false)));

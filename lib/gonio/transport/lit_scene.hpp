@@ -83,7 +83,6 @@ struct LitScene {
     std::vector<LitLight> lights;                              // one for each of all_lights
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
-    std::vector<std::optional<Ball>> body_bounds;              // bounds() of each surface
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
     SurroundingsReflectances surroundings;                     // empty without a sky and without bounces
     EmittedLights emitted;                                     // what surfaces show as their own

@@ -22,11 +22,6 @@ void ShadowPoints::clear() {
         numbers.clear();
 }
 
-void ShadowPoints::reserve(std::size_t count) {
-    for (std::vector<double>& numbers : numbers_)
-        numbers.reserve(count);
-}
-
 void ShadowPoints::add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
@@ -52,12 +47,15 @@ void SoftShadow::begin(const LitLight& light) {
 
 std::span<const VisibleShare> SoftShadow::visible(std::size_t own, const ShadowPoints& points, bool with_luminance) {
     shares_.assign(points.size(), VisibleShare());
+    if (shares_.empty() || bodies_[own].empty()) return shares_;
     numbers_.clear();
     const Ball light{light_->reach.center, light_->reach.body_radius};
     for (const std::uint32_t i : bodies_[own])
         numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, light));
-    if (numbers_.empty()) return shares_;
-    scratch_.resize(numbers_.size() * transport::shadow_scratch_numbers);
+    if (const std::size_t needed = numbers_.size() * transport::shadow_scratch_numbers; needed > scratch_size_) {
+        scratch_ = std::make_unique_for_overwrite<double[]>(needed);
+        scratch_size_ = needed;
+    }
     for (std::size_t first = 0; first < points.size(); first += block)
         find(own, points, first, std::min(block, points.size() - first), with_luminance);
     return shares_;
@@ -87,7 +85,7 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
             shares.towards[axis] = cells_.data() + (2 + axis) * all;
     }
     const transport::ShadowKernels& kernels = count == 1 ? plain_kernels_ : kernels_;
-    kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.data(), shares);
+    kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.get(), shares);
     for (std::size_t i = 0; i < count; ++i) {
         VisibleShare& share = shares_[first + i];
         double by_lines = visible_[i];

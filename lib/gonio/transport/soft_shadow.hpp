@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,7 +30,6 @@ class ShadowPoints {
 public:
     std::size_t size() const { return numbers_.front().size(); }
     void clear();
-    void reserve(std::size_t count);
     // `view`: unit, towards the eye; only for the luminance.
     void add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view = glm::dvec3(0.0));
 
@@ -63,8 +63,9 @@ public:
     // it.
     std::vector<std::uint32_t>& bodies(std::size_t own) { return bodies_[own]; }
 
-    // At points of the surface `own`, which does not shadow itself. Shares of the luminance only `with_luminance`, for
-    // which the points have views. One for each point; valid until the next call.
+    // What points of the surface `own` see of the light; the surface does not shadow itself. Without `with_luminance`
+    // shares of the luminance have no meaning; with it, the points have views. One for each point; valid until the next
+    // call.
     std::span<const VisibleShare> visible(std::size_t own, const ShadowPoints& points, bool with_luminance);
 
 private:
@@ -89,7 +90,8 @@ private:
 
     // Of one block:
     std::vector<ShadowBody> numbers_; // of the bodies
-    std::vector<double> scratch_;
+    std::unique_ptr<double[]> scratch_;
+    std::size_t scratch_size_ = 0;
     std::array<double, block> visible_{};
     std::array<double, block> hiding_{};
     std::vector<double> cells_; // their visible shares, solid angles and directions

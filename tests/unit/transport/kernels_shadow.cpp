@@ -21,13 +21,23 @@ using Vec = glm::dvec3;
 
 constexpr std::size_t receiver_count = 37; // the last packet of every set is partly filled
 
+const Vec coplanar(0.7, 0.1, 0.9); // a panel there faces −x
+
 struct Receivers {
     std::array<std::vector<double>, 6> numbers;
 
-    explicit Receivers(test::Numbers& random) {
+    // Some of them on the axis of the light, on both sides of it and within, and some in the plane of a panel that
+    // any_body() makes.
+    Receivers(test::Numbers& random, const Light& light) {
         for (std::size_t i = 0; i < receiver_count; ++i) {
-            const Vec position = random.in_box(2.0) * Vec(1, 1, 0.1);
-            const Vec normal = glm::normalize(Vec(0, 0, 1) + random.in_box(0.5));
+            Vec position = random.in_box(2.0) * Vec(1, 1, 0.1);
+            Vec normal = glm::normalize(Vec(0, 0, 1) + random.in_box(0.5));
+            if (i % 9 == 4) position = light.frame.origin + random.between(-2.0, 2.0) * light.frame.x;
+            if (i % 9 == 7) position = light.frame.origin + random.between(-2.0, 2.0) * light.frame.z;
+            if (i % 9 == 8) {
+                position = coplanar + Vec(0.0, random.between(-2.0, 2.0), random.between(-1.0, 1.0));
+                normal = Vec(-1, 0, 0);
+            }
             for (int axis = 0; axis < 3; ++axis) {
                 numbers[static_cast<std::size_t>(axis)].push_back(position[axis]);
                 numbers[static_cast<std::size_t>(3 + axis)].push_back(normal[axis]);
@@ -78,7 +88,9 @@ Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& ligh
 Primitive any_body(test::Numbers& random) {
     const Vec center = random.in_box(0.8) + Vec(0, 0, 1.2);
     const Vec axis = random.direction();
-    switch (static_cast<int>(random.between(0.0, 5.0))) {
+    switch (static_cast<int>(random.between(0.0, 6.0))) {
+    case 5:
+        return panel_facing(coplanar, {-1, 0, 0}, {0, 0, 1}, 0.6, 0.8);
     case 0:
         return Plane{center + Vec(0, 0, 1.2), axis};
     case 1:
@@ -118,7 +130,7 @@ std::vector<Case> cases() {
             std::vector<ShadowBody> bodies;
             for (std::size_t body = 0; body <= i % 5; ++body)
                 bodies.push_back(gonio::detail::shadow_body(any_body(random), around));
-            made.push_back({gonio::detail::lined_light(light, around), bodies, Receivers(random)});
+            made.push_back({gonio::detail::lined_light(light, around), bodies, Receivers(random, light)});
         }
     return made;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <mutex>
 #include <new>
 #include <openexr.h>
 #include <stdexcept>
@@ -24,10 +25,11 @@ constexpr std::array compressions{Compression{"zip", EXR_COMPRESSION_ZIP}, Compr
                                   Compression{"zips", EXR_COMPRESSION_ZIPS}, Compression{"rle", EXR_COMPRESSION_RLE},
                                   Compression{"piz", EXR_COMPRESSION_PIZ}};
 
-// The file in memory, and the last words of the library.
+// The file in memory, and the last words of the library, which several threads may hear.
 struct Target {
     std::vector<unsigned char> bytes;
     std::string message;
+    std::mutex message_mutex;
 };
 
 Target& target_of(exr_const_context_t context) {
@@ -38,7 +40,9 @@ Target& target_of(exr_const_context_t context) {
 
 void keep_message(exr_const_context_t context, exr_result_t /*code*/, const char* text) noexcept {
     try {
-        target_of(context).message = text;
+        Target& target = target_of(context);
+        const std::scoped_lock lock(target.message_mutex);
+        target.message = text;
     } catch (...) { // the code says it without words
     }
 }
