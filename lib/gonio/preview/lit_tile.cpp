@@ -245,6 +245,12 @@ bool LitTile::find_groups(const LitLight& light) {
             count(all, samples.size());
             continue;
         }
+        if (options_.skip && options_.shadows != Shadows::off &&
+            scene_.is_behind_plane(samples.surface, samples.bounds, light)) {
+            stats_.shadow_tests += samples.size();
+            stats_.in_shadow += samples.size();
+            continue;
+        }
         Group group{&samples, {}};
         for (std::uint32_t i = 0; i < samples.chunks.size(); ++i) {
             const SurfaceSamples::Chunk& chunk = samples.chunks[i];

@@ -74,17 +74,14 @@ DirectionCone cone_of(const glm::dvec3& axis, double half_angle) {
     return {axis, std::sin(angle), std::cos(angle)};
 }
 
-// The least and the greatest cosine over an interval of angles in [−180°, 180°].
-struct Cosines {
-    double least, greatest;
-};
+// Over an interval of angles in [−180°, 180°].
+using Cosines = LitCosines;
 Cosines cosines(double low_deg, double high_deg) {
     const double a = std::cos(degrees(low_deg).value);
     const double b = std::cos(degrees(high_deg).value);
     return {std::min(a, b), low_deg <= 0.0 && high_deg >= 0.0 ? 1.0 : std::max(a, b)};
 }
 
-// The range of cosines of γ in which a web has light.
 Cosines lit_cosines(const Web& web) {
     const std::span<const double> horizontal = web.horizontal_deg();
     const std::span<const double> vertical = web.vertical_deg();
@@ -108,9 +105,8 @@ Cosines lit_cosines(const Web& web) {
     return lit;
 }
 
-// Cones that contain a web's light, about its aim and about the opposite direction.
-void add_web_cones(const Web& web, const Frame& frame, LightReach& reach) {
-    const Cosines lit = lit_cosines(web);
+// Cones that contain the light of a web, about its aim and about the opposite direction.
+void add_web_cones(const Cosines& lit, const Frame& frame, LightReach& reach) {
     const auto add = [&](const glm::dvec3& axis, double cosine) {
         // The room also covers the tolerance of the renderer's table at its ends.
         if (cosine > -1.0) reach.cones[reach.cone_count++] = cone_of(axis, std::acos(cosine) + angle_room);
@@ -143,7 +139,7 @@ Unlit LightReach::unlit(const SampleBounds& bounds) const {
     return Unlit::no;
 }
 
-LightReach reach_of(const Light& light, bool mask_from_center) {
+LightReach reach_of(const Light& light, bool mask_from_center, WebsLitCosines& known) {
     LightReach reach;
     reach.center = light.frame.origin;
     reach.range = light.range ? light.range->value : std::numeric_limits<double>::infinity();
@@ -160,8 +156,16 @@ LightReach reach_of(const Light& light, bool mask_from_center) {
     if (own < std::numbers::pi) reach.cones[reach.cone_count++] = cone_of(-light.frame.z, own + angle_room);
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
-    if (web != nullptr && (!has_extent(light.shape) || mask_from_center)) add_web_cones(*web, light.frame, reach);
+    if (web == nullptr || (has_extent(light.shape) && !mask_from_center)) return reach;
+    const auto [of_web, is_new] = known.try_emplace(web);
+    if (is_new) of_web->second = lit_cosines(*web);
+    add_web_cones(of_web->second, light.frame, reach);
     return reach;
+}
+
+LightReach reach_of(const Light& light, bool mask_from_center) {
+    WebsLitCosines known;
+    return reach_of(light, mask_from_center, known);
 }
 
 bool is_dark(const Light& light) {

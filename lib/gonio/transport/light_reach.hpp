@@ -5,12 +5,14 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/transport/sample_bounds.hpp>
+#include <gonio/web/web.hpp>
 
 #include <glm/vec3.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 
 namespace gonio::detail {
 
@@ -37,7 +39,16 @@ struct LightReach {
     Unlit unlit(const SampleBounds& bounds) const;
 };
 
-// `mask_from_center`: the mask of a light with a size is evaluated from its centre to the point.
+// The least and the greatest cosine of γ in which a web has light: found once for all lights with this web.
+struct LitCosines {
+    double least = 1.0;
+    double greatest = -1.0;
+};
+using WebsLitCosines = std::map<const Web*, LitCosines>;
+
+// `mask_from_center`: the mask of a light with a size is evaluated from its centre to the point. `known` gets what was
+// not in it.
+LightReach reach_of(const Light& light, bool mask_from_center, WebsLitCosines& known);
 LightReach reach_of(const Light& light, bool mask_from_center);
 
 // Whether the light emits at all.

@@ -32,10 +32,9 @@ bool becomes_point(const Shape& shape, IrradianceMethod method) {
 std::vector<LitLight> lit_lights(std::span<const Light> lights, IrradianceMethod method) {
     std::vector<LitLight> lit;
     lit.reserve(lights.size());
-    WebTables webs;
-    LuminanceTables tables;
+    LightTables tables;
     for (const Light& light : lights)
-        lit.emplace_back(light, method, webs, tables);
+        lit.emplace_back(light, method, tables);
     return lit;
 }
 
@@ -77,20 +76,20 @@ shading::MaterialConstants constants(const CoreMaterial& material) {
 
 } // namespace
 
-LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& webs, LuminanceTables& tables)
+LitLight::LitLight(const Light& of_light, IrradianceMethod method, LightTables& tables)
     : light(of_light),
       is_dark(detail::is_dark(of_light)),
       constants(light_constants(of_light)),
       approximation(detail::approximation(method)),
-      reach(reach_of(of_light, approximation.has_value())),
+      reach(reach_of(of_light, approximation.has_value(), tables.lit)),
       has_surface(class_of(of_light.shape) == ShapeClass::area) {
     const bool as_point = becomes_point(light.shape, method);
     is_punctual = as_point || !has_extent(light.shape);
     const bool is_uneven = !is_punctual && light.has_pattern() && method != IrradianceMethod::reference;
     if (is_punctual || (is_uneven && approximation))
-        pattern.emplace(light, webs, as_point);
+        pattern.emplace(light, tables.webs, as_point);
     else if (is_uneven)
-        luminance.emplace(light, tables, webs);
+        luminance.emplace(light, tables.luminance, tables.webs);
     constants.specular_method = specular_method(method);
     if (is_punctual) approximation.reset();
     if (!as_point) return;
@@ -130,6 +129,8 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       emitted(on_stage, all_lights),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
+    for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
+        if (std::holds_alternative<Plane>(stage.surfaces[i].geometry)) planes.push_back(static_cast<std::uint32_t>(i));
     for (const Surface& surface : stage.surfaces) {
         core_materials.push_back(seen_material(surface.material, options.specular));
         materials.push_back(constants(core_materials.back()));
@@ -189,6 +190,24 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
         if (light.has_surface && is_behind(primitive, light.light, points)) continue;
         if (may_stand_between(primitive, points, body)) found.push_back(static_cast<std::uint32_t>(i));
     }
+}
+
+bool LitScene::is_behind_plane(std::size_t surface, const SampleBounds& bounds, const LitLight& light) const {
+    const LightReach& reach = light.reach;
+    if (reach.at_infinity) return false;
+    constexpr double room = 1e-6; // relative: points that touch a plane are on neither side of it
+    const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
+    return std::any_of(planes.begin(), planes.end(), [&](std::uint32_t i) {
+        if (i == surface || light.light.is_emitted_by(i)) return false;
+        const auto& plane = std::get<Plane>(stage.surfaces[i].geometry);
+        const double of_light = glm::dot(plane.normal, reach.center - plane.point);
+        if (!(of_light < 0.0)) return false;
+        const double of_points = glm::dot(plane.normal, bounds.center - plane.point);
+        const double margin = room * (glm::length(reach.center) + glm::length(bounds.center) +
+                                      glm::length(plane.point) + bounds.radius + reach.body_radius);
+        return of_light < -reach.body_radius - margin &&
+               of_points > glm::dot(glm::abs(plane.normal), half) + margin;
+    });
 }
 
 double LitScene::visible_center(const LitLight& light, std::size_t surface, const glm::dvec3& position) const {

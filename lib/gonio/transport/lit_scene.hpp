@@ -25,9 +25,16 @@ namespace gonio::detail {
 class NamedSurroundings;
 class SkyLight;
 
+// What lights with the same profile share.
+struct LightTables {
+    WebTables webs;
+    LuminanceTables luminance;
+    WebsLitCosines lit;
+};
+
 struct LitLight {
     // The light must outlive this.
-    LitLight(const Light& of_light, IrradianceMethod method, WebTables& webs, LuminanceTables& tables);
+    LitLight(const Light& of_light, IrradianceMethod method, LightTables& tables);
 
     const Light& light;
     bool is_dark = false;
@@ -68,6 +75,10 @@ struct LitScene {
     void find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
                         std::vector<std::uint32_t>& found) const;
 
+    // Whether a plane of the stage hides all of the light from every point of `surface` within the bounds, by bounds:
+    // such points get exactly 0. False for lights at infinity.
+    bool is_behind_plane(std::size_t surface, const SampleBounds& bounds, const LitLight& light) const;
+
     // Whether shadows of this light are soft: those of other lights are visible_center().
     bool has_soft_shadow(const LitLight& light) const { return light.has_surface && options.shadows == Shadows::soft; }
     // The share of a light without such shadows that reaches a point of `surface`; the sun's, of its disk.
@@ -83,6 +94,7 @@ struct LitScene {
     std::vector<LitLight> lights;                              // one for each of all_lights
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
+    std::vector<std::uint32_t> planes;                         // the surfaces that are planes
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
     SurroundingsReflectances surroundings;                     // empty without a sky and without bounces
     EmittedLights emitted;                                     // what surfaces show as their own

@@ -192,10 +192,10 @@ LuminancePattern::LuminancePattern(const Light& light, LuminanceTables& tables, 
     }
     const Web& web = web_of(light);
     const double web_deg = web_step_deg(web);
+    std::shared_ptr<const WebTable>& table = webs[&web];
+    if (table == nullptr) table = std::make_shared<const WebTable>(web);
+    web_ = table;
     if (!is_flat(light.shape)) {
-        std::shared_ptr<const WebTable>& table = webs[&web];
-        if (table == nullptr) table = std::make_shared<const WebTable>(web);
-        web_ = table;
         node_rad_ = degrees(std::clamp(web_deg, 2.0, 10.0)).value;
         return;
     }
@@ -312,43 +312,71 @@ void LuminancePattern::by_directions(const transport::Receivers& receivers, cons
         share[i] = weights[i] > 0.0 ? static_cast<float>(sums[i] / weights[i]) : 0.0F;
 }
 
+void LuminancePattern::towards_points(const transport::Points& points, const transport::IntensityKernels& kernels,
+                                      float* share) const {
+    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
+    transport::LightFrame axes;
+    copy(frame.x, axes.x);
+    copy(frame.y, axes.y);
+    copy(frame.z, axes.z);
+    std::fill(share, share + points.count, 1.0F);
+    kernels.web(points, axes, web_->constants(light_.web_scale), share);
+    if (light_.emission == nullptr) return;
+    const LuminousBody& body = *light_.emission->body;
+    for (std::size_t i = 0; i < points.count; ++i) {
+        const glm::dvec3 direction(points.position[0][i], points.position[1][i], points.position[2][i]);
+        const double projected_m2 = body.projected_area_m2(frame.to_local(direction));
+        share[i] = projected_m2 > 0.0 ? static_cast<float>(static_cast<double>(share[i]) / projected_m2) : 0.0F;
+    }
+}
+
 void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
-                                   const std::vector<float>& mean, std::vector<float>& share) const {
+                                   const transport::IntensityKernels& intensity, const std::vector<float>& mean,
+                                   std::vector<float>& share) const {
     share = mean;
     const Frame& frame = light_.frame;
     const Outline outline = std::visit(OutlineOf(), light_.shape);
+    const glm::dvec2 half_m(outline.half_x, outline.half_y);
     const double radius_m =
         with_traits(light_.shape, [](const auto& kind, auto traits) { return traits.radius(kind); });
     const double lobe_rad = 2.0 * alpha; // facets turn what they reflect by twice their angle
-    for (std::size_t i = 0; i < surfaces.count; ++i) {
-        if (!(mean[i] > 0.0F)) continue;
-        const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
-        const glm::dvec3 normal = vector(surfaces.normal);
-        const glm::dvec3 view = vector(surfaces.view);
-        const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
-        const glm::dvec3 to_center = frame.origin - anchor - vector(surfaces.position);
-        const double light_rad = radius_m / glm::length(to_center);
-        const double narrow = light_rad * light_rad / (light_rad * light_rad + lobe_rad * lobe_rad);
-        if (image_ != nullptr) {
-            const double half_m = lobe_rad * glm::length(to_center);
-            const glm::dvec2 half = 0.5 * half_m / glm::dvec2(outline.half_x, outline.half_y);
-            const double seen = blurred(frame.origin - to_center, mirrored, half);
-            share[i] += static_cast<float>(narrow) * (static_cast<float>(seen) - share[i]);
-            continue;
-        }
-        glm::dvec3 towards = to_center;
-        if (front_ != nullptr) {
-            glm::dvec2 at = meeting(frame.to_local(-to_center), frame.to_local(mirrored));
-            if (outline.is_round) {
-                const double beyond = glm::length(at / glm::dvec2(outline.half_x, outline.half_y));
-                at /= std::max(beyond, 1.0);
-            } else {
-                at = glm::clamp(at, -glm::dvec2(outline.half_x, outline.half_y),
-                                glm::dvec2(outline.half_x, outline.half_y));
+    constexpr std::size_t most = 64;     // points of a chunk
+    std::array<std::array<float, most>, 3> towards{};
+    std::array<float, most> narrow{};
+    std::array<float, most> seen{};
+    for (std::size_t first = 0; first < surfaces.count; first += most) {
+        const std::size_t count = std::min(surfaces.count - first, most);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = first + k;
+            const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
+            const glm::dvec3 normal = vector(surfaces.normal);
+            const glm::dvec3 view = vector(surfaces.view);
+            const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
+            const glm::dvec3 to_center = frame.origin - anchor - vector(surfaces.position);
+            const double distance_m = glm::length(to_center);
+            const double light_rad = radius_m / distance_m;
+            narrow[k] = static_cast<float>(light_rad * light_rad / (light_rad * light_rad + lobe_rad * lobe_rad));
+            if (image_ != nullptr) {
+                const glm::dvec2 half = 0.5 * lobe_rad * distance_m / half_m;
+                seen[k] = static_cast<float>(blurred(frame.origin - to_center, mirrored, half));
+                continue;
             }
-            towards += at.x * frame.x + at.y * frame.y;
+            glm::dvec3 to_light = to_center;
+            if (front_ != nullptr) {
+                glm::dvec2 at = meeting(frame.to_local(-to_center), frame.to_local(mirrored));
+                if (outline.is_round)
+                    at /= std::max(glm::length(at / half_m), 1.0);
+                else
+                    at = glm::clamp(at, -half_m, half_m);
+                to_light += at.x * frame.x + at.y * frame.y;
+            }
+            for (int axis = 0; axis < 3; ++axis)
+                towards[static_cast<std::size_t>(axis)][k] = static_cast<float>(-to_light[axis]);
         }
-        share[i] += static_cast<float>(narrow) * (static_cast<float>(light_.luminance_share(-towards)) - share[i]);
+        if (image_ == nullptr)
+            towards_points({{towards[0].data(), towards[1].data(), towards[2].data()}, count}, intensity, seen.data());
+        for (std::size_t k = 0; k < count; ++k)
+            if (mean[first + k] > 0.0F) share[first + k] += narrow[k] * (seen[k] - share[first + k]);
     }
 }
 

@@ -54,7 +54,8 @@ public:
     // The same for what a lobe of roughness `alpha` (GGX) reflects towards the views, given the results of evaluate():
     // a narrow lobe shows the luminance from where the mirrored view meets the light, a wide one the mean.
     void along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
-                     const std::vector<float>& mean, std::vector<float>& share) const;
+                     const transport::IntensityKernels& intensity, const std::vector<float>& mean,
+                     std::vector<float>& share) const;
 
     // A factor on Light::luminance from a unit direction, of images blurred to a few parts of their side.
     double towards(const glm::dvec3& receiver, const glm::dvec3& direction) const;
@@ -64,6 +65,10 @@ private:
                     const transport::LuminanceKernels& kernels, float* share) const;
 
     void replace_far(const transport::Receivers& receivers, const glm::dvec3& anchor, float* share) const;
+
+    // Factors on Light::luminance towards points, relative to its centre, of lights without an image.
+    void towards_points(const transport::Points& points, const transport::IntensityKernels& kernels,
+                        float* share) const;
 
     double blurred(const glm::dvec3& viewer, const glm::dvec3& toward, const glm::dvec2& half) const;
 
@@ -75,7 +80,7 @@ private:
     double column_rad_ = 0.0;
     std::shared_ptr<const ColumnPattern> front_; // of flat lights
     std::shared_ptr<const ColumnPattern> back_;  // of two-sided ones
-    std::shared_ptr<const WebTable> web_;        // of spheres and tubes
+    std::shared_ptr<const WebTable> web_;        // of all without an image
     std::shared_ptr<const ImagePattern> image_;  // of rectangles with an image
     double node_rad_ = 0.0;                      // of these, the angle between directions
 };
