@@ -55,9 +55,9 @@ Result<ReferenceBudget> reference_budget(const Arguments& arguments, bool by_ref
     ReferenceBudget budget;
     const auto error = arguments.value("--error");
     const auto time = arguments.value("--time");
-    if ((error || time) && !by_reference)
-        return fail("USE0104", fmt::format("{} needs the method reference", error ? "--error" : "--time"),
-                    "add --method reference");
+    if (time && !by_reference) return fail("USE0104", "--time needs the method reference", "add --method reference");
+    if (error && !by_reference)
+        return fail("USE0104", "--error needs the method exact, ltc or reference", "add --method reference");
     for (const std::string_view option : {"--aov", "--compare", "--sheet", "--sweep"})
         if (time && arguments.has(option))
             return fail("USE0107", fmt::format("--time is for one picture, not for {}", option),

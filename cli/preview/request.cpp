@@ -110,6 +110,11 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
         if (!error) return pass_on(error);
         if (*error) request.render.goal.relative_error = **error;
         if (arguments.has("--time")) return fail("USE0107", "--time is for a single picture", "use --error E");
+    } else if (const bool by_exact = method->light == IrradianceMethod::exact || method->light == IrradianceMethod::ltc;
+               by_exact && arguments.has("--error") && !arguments.has("--time")) {
+        Result<std::optional<double>> error = reference_error(arguments, true);
+        if (!error) return pass_on(error);
+        request.render.error = **error;
     } else {
         Result<ReferenceBudget> budget = reference_budget(arguments, by_reference);
         if (!budget) return pass_on(budget);

@@ -27,6 +27,7 @@ std::string stats_text(const RenderStats& stats, double milliseconds, const std:
     text += line("pairs of light and tile that meet", stats.pairs_lit, stats.pairs);
     text += fmt::format("  {:<34}{:>14}\n", "evaluations of all lights", stats.evaluations);
     text += line("done", stats.evaluated, stats.evaluations);
+    text += line("as seen from the light's centre", stats.from_center, stats.evaluations);
     text += line("skipped: without flux", stats.dark, stats.evaluations);
     text += line("skipped: out of range", stats.out_of_range, stats.evaluations);
     text += line("skipped: outside the light's cone", stats.outside_cone, stats.evaluations);
@@ -52,6 +53,7 @@ Json stats_json(const RenderStats& stats, double milliseconds, const std::vector
             {"pairs_lit", stats.pairs_lit},
             {"evaluations", stats.evaluations},
             {"evaluated", stats.evaluated},
+            {"from_center", stats.from_center},
             {"skipped_dark", stats.dark},
             {"skipped_out_of_range", stats.out_of_range},
             {"skipped_outside_cone", stats.outside_cone},

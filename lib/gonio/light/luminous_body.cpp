@@ -188,11 +188,11 @@ std::optional<LuminousBody> LuminousBody::of(const Opening& opening, const Web& 
             break;
         }
     }
-    double area_m2 = 0.0;
     for (const LuminousFace& face : body.faces_)
-        area_m2 += face.area_m2;
-    if (!(area_m2 > 0.0)) return std::nullopt;
-    body.mean_luminance_ = Nits(flux_lm / (pi * area_m2));
+        body.area_m2_ += face.area_m2;
+    if (!(body.area_m2_ > 0.0)) return std::nullopt;
+    if (flat >= 0) body.flat_area_m2_ = body.faces_.front().area_m2;
+    body.mean_luminance_ = Nits(flux_lm / (pi * body.area_m2_));
     return body;
 }
 

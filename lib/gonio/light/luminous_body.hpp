@@ -46,6 +46,11 @@ public:
     // A(ω) towards a direction of the luminaire's frame, of any length > 0 [m²].
     double projected_area_m2(const glm::dvec3& direction) const;
 
+    // Of all faces [m²].
+    double area_m2() const { return area_m2_; }
+    // The area of one face if all faces are in one plane, or back to back in one; else 0 [m²].
+    double flat_area_m2() const { return flat_area_m2_; }
+
     // The luminance whose Lambertian emission from all faces has the flux of the web.
     Nits mean_luminance() const { return mean_luminance_; }
 
@@ -62,6 +67,8 @@ private:
     void add_cylinder(const glm::dvec3& axis, const glm::dvec3& across, const glm::dvec3& size_m);
 
     std::vector<LuminousFace> faces_;
+    double area_m2_ = 0.0;
+    double flat_area_m2_ = 0.0;
     Nits mean_luminance_;
     Lumens flux_behind_;
 };

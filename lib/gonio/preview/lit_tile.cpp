@@ -17,9 +17,19 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <variant>
 
 namespace gonio::detail {
+
+namespace {
+
+// Times the error: how large a light may be, over its distance, to be seen from its centre.
+constexpr double farthest_part = 10.0;
+// Lights that are too near for the error, before the nearest of those that are left are taken as they are.
+constexpr std::size_t most_failed = 2;
+
+} // namespace
 
 LitTile::LitTile(const LitScene& scene, const RenderOptions& options, const RayScene& rays, int left, int top,
                  Rendering& picture, RenderStats& stats, std::vector<PartialLight>& partial)
@@ -38,14 +48,20 @@ void LitTile::light_up() {
     show_subjects();
     count_samples();
     if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
+    if (options_.error > 0.0)
+        for (const SurfaceSamples& samples : tile_.surfaces())
+            known_.push_back({std::vector<Amounts>(samples.size()), std::vector<Amounts>(samples.size())});
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
         find_shadows(light);
-        for (const Group& group : groups_)
+        for (Group& group : groups_) {
+            if (options_.error > 0.0) set_aside(index, group);
             shade(light, group);
+        }
         shade_edges(light);
     }
+    shade_far();
     complete_parts();
     stats_.not_converged += shader_.not_converged();
 }
@@ -377,7 +393,109 @@ void LitTile::shade(const LitLight& light, const Group& group) {
         }
         stats_.evaluated += chunk.count;
         shade(light, samples, chunk.first, chunk.count, weight, through);
+        if (!known_.empty())
+            note(known_[static_cast<std::size_t>(&samples - tile_.surfaces().data())], chunk, weight, through);
     }
+}
+
+void LitTile::note(Known& known, const SurfaceSamples::Chunk& chunk, const float* weight,
+                   const Visible* visible) const {
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+        if (weight[i] == 0.0F) continue; // hidden, or on the edge of a shadow
+        Amounts& light = known.light[chunk.first + i];
+        const Visible through = visible == nullptr ? Visible() : visible[i];
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            light[channel] += through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
+        if (options_.illuminance) light[3] += through.lx * shader_.lx()[i];
+    }
+}
+
+void LitTile::set_aside(std::uint32_t index, Group& group) {
+    const LitLight& light = scene_.lights[index];
+    if (is_shadowed_ || !light.luminance || !light.luminance->has_center_form()) return;
+    // What is nearer would hardly stay within the error, and the exact light of near lights leaves more of it to
+    // others.
+    const double most = std::min(farthest_part * options_.error, WebVariation::reach_rad);
+    const auto is_far = [&](std::uint32_t chunk) {
+        const SampleBounds& bounds = group.samples->chunks[chunk].bounds;
+        const double away = glm::length(light.reach.center - glm::clamp(light.reach.center, bounds.low, bounds.high));
+        if (!(light.reach.body_radius < most * away)) return false;
+        far_.push_back({light.reach.body_radius / away, index,
+                        static_cast<std::uint32_t>(group.samples - tile_.surfaces().data()), chunk});
+        return true;
+    };
+    std::erase_if(group.chunks, is_far);
+}
+
+// For each chunk, those of which the least error can be expected come first, so that most of them find room.
+void LitTile::shade_far() {
+    if (far_.empty()) return;
+    std::sort(far_.begin(), far_.end(), [](const Far& a, const Far& b) {
+        return std::tie(a.surface, a.chunk, a.part, a.light) < std::tie(b.surface, b.chunk, b.part, b.light);
+    });
+    is_shadowed_ = false;
+    for (auto first = far_.begin(); first != far_.end();) {
+        const auto end = std::find_if(first, far_.end(), [&](const Far& far) {
+            return far.surface != first->surface || far.chunk != first->chunk;
+        });
+        const SurfaceSamples& samples = tile_.surfaces()[first->surface];
+        const SurfaceSamples::Chunk& chunk = samples.chunks[first->chunk];
+        const Group group{&samples, {first->chunk}};
+        std::size_t failed = 0; // one after the other
+        for (auto last = end; first != last; ++first) {
+            const LitLight& light = scene_.lights[first->light];
+            if (adds_from_center(light, first->surface, chunk)) {
+                failed = 0;
+                continue;
+            }
+            shade(light, group);
+            if (++failed < most_failed) continue;
+            // More is known of the light after the nearest of those that are left, and fewer are left.
+            failed = 0;
+            for (auto nearest = (last - first - 1 + 3) / 4; nearest > 0; --nearest)
+                shade(scene_.lights[(--last)->light], group);
+        }
+        first = end;
+    }
+}
+
+// All light is ≥ 0: the error may be a share of what is known of it, since more can only come.
+bool LitTile::adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk) {
+    const SurfaceSamples& samples = tile_.surfaces()[of_surface];
+    Known& known = known_[of_surface];
+    shader_.shade_from_center(light, samples, chunk.first, chunk.count);
+    const std::size_t channels = options_.illuminance ? 4 : 3;
+    const auto values = [&](std::size_t channel) {
+        return channel < 3 ? shader_.rgb()[channel].data() : shader_.lx().data();
+    };
+    const auto errors = [&](std::size_t channel) {
+        return channel < 3 ? shader_.rgb_error()[channel].data() : shader_.lx_error().data();
+    };
+    const auto most = static_cast<float>(options_.error);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        const float* const value = values(channel);
+        const float* const error = errors(channel);
+        bool fits = true;
+        for (std::size_t i = 0; i < chunk.count; ++i) {
+            const float light_so_far = known.light[chunk.first + i][channel];
+            const float error_so_far = known.error[chunk.first + i][channel];
+            fits = fits && error_so_far + error[i] <= most * (light_so_far + std::max(value[i] - error[i], 0.0F));
+        }
+        if (!fits) return false;
+    }
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        const float* const value = values(channel);
+        const float* const error = errors(channel);
+        for (std::size_t i = 0; i < chunk.count; ++i) {
+            known.light[chunk.first + i][channel] += std::max(value[i] - error[i], 0.0F);
+            known.error[chunk.first + i][channel] += error[i];
+        }
+    }
+    stats_.shadow_tests += chunk.count;
+    stats_.evaluated += chunk.count;
+    stats_.from_center += chunk.count;
+    add_shaded(samples, chunk.first, chunk.count, samples.share.data() + chunk.first, nullptr);
+    return true;
 }
 
 void LitTile::shade_edges(const LitLight& light) {
@@ -419,6 +537,11 @@ void LitTile::shade_edges(const LitLight& light) {
 void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                     const float* weight, const Visible* visible) {
     shader_.shade(light, samples, first, count, weight);
+    add_shaded(samples, first, count, weight, visible);
+}
+
+void LitTile::add_shaded(const SurfaceSamples& samples, std::size_t first, std::size_t count, const float* weight,
+                         const Visible* visible) {
     std::vector<float>& luminance = picture_.luminance_nt.pixels;
     const Visible all;
     const auto& rgb = shader_.rgb();

@@ -39,6 +39,7 @@ void RenderStats::add(const RenderStats& other) {
     pairs_lit += other.pairs_lit;
     evaluations += other.evaluations;
     evaluated += other.evaluated;
+    from_center += other.from_center;
     outside_cone += other.outside_cone;
     below_horizon += other.below_horizon;
     in_shadow += other.in_shadow;

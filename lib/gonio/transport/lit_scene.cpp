@@ -205,8 +205,7 @@ bool LitScene::is_behind_plane(std::size_t surface, const SampleBounds& bounds, 
         const double of_points = glm::dot(plane.normal, bounds.center - plane.point);
         const double margin = room * (glm::length(reach.center) + glm::length(bounds.center) +
                                       glm::length(plane.point) + bounds.radius + reach.body_radius);
-        return of_light < -reach.body_radius - margin &&
-               of_points > glm::dot(glm::abs(plane.normal), half) + margin;
+        return of_light < -reach.body_radius - margin && of_points > glm::dot(glm::abs(plane.normal), half) + margin;
     });
 }
 

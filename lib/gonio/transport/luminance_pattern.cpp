@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <variant>
@@ -128,6 +129,11 @@ void add_tube(const glm::dvec3& to_center, const glm::dvec3& axis, double length
     }
 }
 
+// a²/(a² + b²).
+double square_share(double a, double b) {
+    return a * a / (a * a + b * b);
+}
+
 // The frame with the columns along Y; for the far side, that of a light which emits there.
 Frame column_frame(const Frame& light, bool columns_along_y, bool behind) {
     Frame frame = light;
@@ -195,6 +201,9 @@ LuminancePattern::LuminancePattern(const Light& light, LuminanceTables& tables, 
     std::shared_ptr<const WebTable>& table = webs[&web];
     if (table == nullptr) table = std::make_shared<const WebTable>(web);
     web_ = table;
+    std::shared_ptr<const WebVariation>& variation = tables.variations[&web];
+    if (variation == nullptr) variation = std::make_shared<const WebVariation>(web);
+    variation_ = variation;
     if (!is_flat(light.shape)) {
         node_rad_ = degrees(std::clamp(web_deg, 2.0, 10.0)).value;
         return;
@@ -330,6 +339,96 @@ void LuminancePattern::towards_points(const transport::Points& points, const tra
     }
 }
 
+// L(x) is the luminance by place, x a place of the light within its radius r of the centre; ω the direction from the
+// centre to the receiver, at the distance d, and ω_x that from x, at d_x. With ρ = r/d, the angle η between ω and ω_x
+// is at most asin ρ, and |d_x − d| ≤ r. S, J and Q are those of the web (web_variation.hpp).
+//
+// Of a place. A flat opening of area A has L(x) = I(ω_x)/(A cosγ_x), and b = d_x cosγ_x, the height of the receiver
+// over its plane, is the same from every place: L(x) = I(ω_x) d_x/(A b), hence
+//
+//   |L(x) − L(0)| ≤ ((I + Sη)(1 + ρ) − I) d/(A b).
+//
+// The projected area P of a body with more than one plane changes by at most ηΣ, with Σ the area of its faces:
+//
+//   |L(x) − L(0)| ≤ (I + Sη)/(P − ηΣ) − I/P.
+//
+// Behind a mask L(x) is proportional to the web: |L(x) − L(0)| ≤ Sη. Every mean of L over the light is as near to L(0).
+//
+// Of the mean over a flat light, in which the first order cancels between x and −x. The angles of the two differ by at
+// most ρ²/(1 − ρ²), and 2d ≤ d_x + d_−x ≤ (2 + ρ²)d, so that
+//
+//   |I(ω_x) + I(ω_−x) − 2I| ≤ ηJ + η²Q + Sρ²/(1 − ρ²) = c,
+//   |L(x) + L(−x) − 2L(0)| ≤ C = (c + Iρ² + 2Sηρ) d/(A b), or c behind a mask.
+//
+// The weight of a place is n·(x − p) b/d_x⁴, as long as the light is above the horizon: ρ < cosθ. It differs from that
+// of the centre by at most the part w = (1 + ρ/cosθ)(1 − ρ)⁻⁴ − 1. With e the bound of a place, a pair adds at most
+// C + 2we, and the weights of a pair are at least 2(1 − w) times that of the centre:
+//
+//   |mean − L(0)| ≤ (C/2 + we)/(1 − w).
+//
+// A lobe takes the mean plus `narrow` times the difference of a place from it (along_lobes()).
+void LuminancePattern::from_center(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                                   std::optional<double> alpha, const transport::IntensityKernels& intensity,
+                                   std::vector<float>& share, std::vector<float>& error) const {
+    const std::size_t count = receivers.count;
+    error.assign(count, std::numeric_limits<float>::infinity());
+    share.assign(count, 1.0F);
+    if (image_ != nullptr) return;
+    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
+    transport::LightFrame axes;
+    copy(light_.frame.origin - anchor, axes.origin);
+    copy(frame.x, axes.x);
+    copy(frame.y, axes.y);
+    copy(frame.z, axes.z);
+    intensity.web({{receivers.position[0], receivers.position[1], receivers.position[2]}, count}, axes,
+                  web_->constants(light_.web_scale), share.data());
+    const double radius_m =
+        with_traits(light_.shape, [](const auto& kind, auto traits) { return traits.radius(kind); });
+    const LuminousBody* const body = light_.emission != nullptr ? light_.emission->body.get() : nullptr;
+    const double flat_m2 = body != nullptr ? body->flat_area_m2() : 0.0;
+    const bool is_even = front_ != nullptr && (body == nullptr || flat_m2 > 0.0); // about its centre
+    const glm::dvec3 axis = frame.to_world(variation_->axis());
+    // Within reach_rad, and small enough for asin ρ ≤ 1.0013 ρ, 1/(1 − ρ²) ≤ 1.003 and (1 − ρ)⁻⁴ ≤ 1 + 4.6 ρ.
+    constexpr double farthest_part = 0.0499;
+    static_assert(farthest_part * 1.0013 < WebVariation::reach_rad);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
+        const glm::dvec3 way = anchor + vector(receivers.position) - light_.frame.origin;
+        const double inverse_m = 1.0 / glm::length(way);
+        const double part = radius_m * inverse_m;
+        if (!(part < farthest_part)) continue;
+        const double turn_rad = 1.0013 * part; // no less than η
+        const double cd = share[i];
+        const WebVariation::Bounds& web = variation_->at(glm::dot(way, axis) * inverse_m);
+        const double slope = light_.web_scale * web.slope;
+        const double change = slope * turn_rad;
+        double area_m2 = 1.0; // projected; of masks, whose web is a luminance
+        double of_place = change;
+        if (flat_m2 > 0.0) {
+            area_m2 = flat_m2 * std::abs(glm::dot(way, light_.frame.z)) * inverse_m;
+            of_place = ((cd + change) * (1.0 + part) - cd) / area_m2;
+        } else if (body != nullptr) {
+            area_m2 = body->projected_area_m2(frame.to_local(way));
+            const double least_m2 = area_m2 - turn_rad * body->area_m2();
+            if (!(least_m2 > 0.0)) continue;
+            of_place = (cd + change) / least_m2 - cd / area_m2;
+        }
+        if (!(area_m2 > 0.0)) continue;
+        share[i] = static_cast<float>(cd / area_m2);
+        double of_mean = of_place;
+        const double cosine = -glm::dot(vector(receivers.normal), way) * inverse_m;
+        if (is_even && turn_rad < web.bend_rad && part < cosine) {
+            const double square = part * part;
+            double pair = light_.web_scale * turn_rad * (web.kink + turn_rad * web.curve) + 1.003 * slope * square;
+            if (body != nullptr) pair += cd * square + 2.0 * change * part;
+            const double weight = (1.0 + part / cosine) * (1.0 + 4.6 * part) - 1.0;
+            if (weight < 1.0) of_mean = std::min(of_mean, (0.5 * pair / area_m2 + weight * of_place) / (1.0 - weight));
+        }
+        if (alpha) of_mean += 2.0 * of_place * square_share(part, 2.0 * *alpha);
+        error[i] = static_cast<float>(of_mean);
+    }
+}
+
 void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
                                    const transport::IntensityKernels& intensity, const std::vector<float>& mean,
                                    std::vector<float>& share) const {
@@ -354,8 +453,7 @@ void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm:
             const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
             const glm::dvec3 to_center = frame.origin - anchor - vector(surfaces.position);
             const double distance_m = glm::length(to_center);
-            const double light_rad = radius_m / distance_m;
-            narrow[k] = static_cast<float>(light_rad * light_rad / (light_rad * light_rad + lobe_rad * lobe_rad));
+            narrow[k] = static_cast<float>(square_share(radius_m / distance_m, lobe_rad));
             if (image_ != nullptr) {
                 const glm::dvec2 half = 0.5 * lobe_rad * distance_m / half_m;
                 seen[k] = static_cast<float>(blurred(frame.origin - to_center, mirrored, half));

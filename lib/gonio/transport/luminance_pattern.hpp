@@ -10,12 +10,14 @@
 #include <gonio/transport/image_pattern.hpp>
 #include <gonio/transport/intensity_pattern.hpp>
 #include <gonio/transport/kernels_luminance.hpp>
+#include <gonio/transport/web_variation.hpp>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -39,6 +41,7 @@ private:
 struct LuminanceTables {
     std::map<std::tuple<const void*, std::size_t, bool, bool>, std::shared_ptr<const ColumnPattern>> columns;
     std::map<std::tuple<const ImagePlane*, double, double>, std::shared_ptr<const ImagePattern>> images;
+    std::map<const Web*, std::shared_ptr<const WebVariation>> variations;
 };
 
 class LuminancePattern {
@@ -56,6 +59,14 @@ public:
     void along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
                      const transport::IntensityKernels& intensity, const std::vector<float>& mean,
                      std::vector<float>& share) const;
+
+    // The factor as from the centre of the light alone, and how far at most the factors of evaluate() and of
+    // along_lobes() with this `alpha` can be from it (derived beside the code). Infinite where there is no bound, and
+    // everywhere for a light with an image, which has no such factor. `alpha`: nothing if there is no lobe.
+    void from_center(const transport::Receivers& receivers, const glm::dvec3& anchor, std::optional<double> alpha,
+                     const transport::IntensityKernels& intensity, std::vector<float>& share,
+                     std::vector<float>& error) const;
+    bool has_center_form() const { return variation_ != nullptr && variation_->is_bounded(); }
 
     // A factor on Light::luminance from a unit direction, of images blurred to a few parts of their side.
     double towards(const glm::dvec3& receiver, const glm::dvec3& direction) const;
@@ -78,11 +89,12 @@ private:
     const Light& light_;
     bool columns_along_y_ = true;
     double column_rad_ = 0.0;
-    std::shared_ptr<const ColumnPattern> front_; // of flat lights
-    std::shared_ptr<const ColumnPattern> back_;  // of two-sided ones
-    std::shared_ptr<const WebTable> web_;        // of all without an image
-    std::shared_ptr<const ImagePattern> image_;  // of rectangles with an image
-    double node_rad_ = 0.0;                      // of these, the angle between directions
+    std::shared_ptr<const ColumnPattern> front_;    // of flat lights
+    std::shared_ptr<const ColumnPattern> back_;     // of two-sided ones
+    std::shared_ptr<const WebTable> web_;           // of all without an image
+    std::shared_ptr<const ImagePattern> image_;     // of rectangles with an image
+    std::shared_ptr<const WebVariation> variation_; // of web_
+    double node_rad_ = 0.0;                         // of these, the angle between directions
 };
 
 } // namespace gonio::detail

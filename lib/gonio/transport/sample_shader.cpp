@@ -41,6 +41,17 @@ void guard(IrradianceMethod method, const shading::Surfaces& surfaces, const sha
     }
 }
 
+shading::Surfaces surfaces_of(const SurfaceSamples& samples, std::size_t first, std::size_t count) {
+    shading::Surfaces surfaces;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        surfaces.position[axis] = samples.position[axis].data() + first;
+        surfaces.normal[axis] = samples.normal[axis].data() + first;
+        surfaces.view[axis] = samples.view[axis].data() + first;
+    }
+    surfaces.count = count;
+    return surfaces;
+}
+
 transport::Receivers receivers(const shading::Surfaces& surfaces) {
     return {{surfaces.position[0], surfaces.position[1], surfaces.position[2]},
             {surfaces.normal[0], surfaces.normal[1], surfaces.normal[2]},
@@ -83,13 +94,7 @@ bool is_grey(const Material& material) {
 void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                          const float* weight) {
     const LightingOptions& options = scene_.options;
-    shading::Surfaces surfaces;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        surfaces.position[axis] = samples.position[axis].data() + first;
-        surfaces.normal[axis] = samples.normal[axis].data() + first;
-        surfaces.view[axis] = samples.view[axis].data() + first;
-    }
-    surfaces.count = count;
+    const shading::Surfaces surfaces = surfaces_of(samples, first, count);
     const std::array<float*, 3> rgb = pointers(rgb_, count);
     if (options.illuminance) lx_.resize(count);
     if (options.method == IrradianceMethod::reference && !light.is_punctual)
@@ -124,6 +129,35 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
             rgb_[channel][i] *= intensity_[i];
         if (options.illuminance) lx_[i] *= intensity_[i];
     }
+}
+
+void SampleShader::shade_from_center(const LitLight& light, const SurfaceSamples& samples, std::size_t first,
+                                     std::size_t count) {
+    const shading::Surfaces surfaces = surfaces_of(samples, first, count);
+    shading::LightConstants constants = light.constants;
+    for (int axis = 0; axis < 3; ++axis)
+        constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
+    const std::array<float*, 3> rgb = pointers(rgb_, count);
+    scene_.kernels.shade(surfaces, constants, scene_.materials[samples.surface], rgb.data());
+    light.luminance->from_center(receivers(surfaces), samples.anchor,
+                                 lobe_alpha(scene_.core_materials[samples.surface]), scene_.intensity, share_,
+                                 share_error_);
+    // What a uniform luminance gives times the bound; 0 where that is nothing, even without a bound.
+    const auto times = [count](std::vector<float>& values, std::vector<float>& errors, const std::vector<float>& share,
+                               const std::vector<float>& error, float scale) {
+        errors.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float uniform = scale * values[i];
+            errors[i] = uniform > 0.0F ? uniform * error[i] : 0.0F;
+            values[i] = uniform * share[i];
+        }
+    };
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        times(rgb_[channel], rgb_error_[channel], share_, share_error_, 1.0F);
+    if (!scene_.options.illuminance) return;
+    lx_.resize(count);
+    scene_.kernels.irradiance(surfaces, constants, lx_.data());
+    times(lx_, lx_error_, share_, share_error_, static_cast<float>(light.light.luminance.value));
 }
 
 void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& samples) {

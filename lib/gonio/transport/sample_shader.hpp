@@ -23,12 +23,21 @@ public:
     void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                const float* weight);
 
+    // The same for a light that is not uniform, with its luminance as seen from its centre: rgb() and lx() are within
+    // rgb_error() and lx_error() of what shade() gives. Only for lights with a LuminancePattern that
+    // has_center_form().
+    void shade_from_center(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count);
+
     // The illuminance alone, by `exact` and without regard to what occludes the light: only lx() is set.
     void illuminate(const LitLight& light, const SurfaceSamples& samples);
 
     // Results of the last call, `count` each.
     const std::array<std::vector<float>, 3>& rgb() const { return rgb_; } // luminance [nt]
     const std::vector<float>& lx() const { return lx_; }                  // only if illuminance is requested
+
+    // Bounds of the last shade_from_center(), `count` each; infinite where there is none.
+    const std::array<std::vector<float>, 3>& rgb_error() const { return rgb_error_; }
+    const std::vector<float>& lx_error() const { return lx_error_; } // only if illuminance is requested
 
     // The number of samples at which the quadrature stopped before it reached the requested error.
     std::size_t not_converged() const { return not_converged_; }
@@ -46,6 +55,9 @@ private:
     std::array<std::vector<float>, 3> rgb_;
     std::array<std::vector<float>, 3> diffuse_;
     std::vector<float> lx_;
+    std::array<std::vector<float>, 3> rgb_error_;
+    std::vector<float> lx_error_;
+    std::vector<float> share_error_;
     std::vector<float> approximate_lx_;
     std::vector<float> side_lx_;
     std::vector<float> share_;

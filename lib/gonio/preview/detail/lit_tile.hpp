@@ -7,6 +7,7 @@
 #include <gonio/transport/sample_shader.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -56,11 +57,19 @@ private:
     const std::vector<Visible>& visible_at(const LitLight& light, std::size_t surface, const ShadowPoints& points);
     void find_centers();
     void shade(const LitLight& light, const Group& group);
+    // The chunks of a group that are so far from the light that it may be seen from its centre are left for later.
+    void set_aside(std::uint32_t index, Group& group);
+    void shade_far();
+    // Whether the light from its centre stays within the error at every point of the chunk; adds it if so.
+    bool adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
     void shade_edges(const LitLight& light);
     // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its
     // share.
     void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                const float* weight, const Visible* visible);
+    // The results of the shader, in the same way.
+    void add_shaded(const SurfaceSamples& samples, std::size_t first, std::size_t count, const float* weight,
+                    const Visible* visible);
 
     const LitScene& scene_;
     const RenderOptions& options_;
@@ -78,6 +87,25 @@ private:
     };
     std::map<std::pair<std::uint32_t, std::size_t>, Reflected> reflected_; // by pixel and surface
     std::vector<std::size_t> part_surfaces_;                               // of each of partial_
+
+    // With RenderOptions::error, what every sample has got so far and how far that may be from the exact light: three
+    // channels and lux. The former is never more than the exact light.
+    using Amounts = std::array<float, 4>;
+    struct Known {
+        std::vector<Amounts> light;
+        std::vector<Amounts> error;
+    };
+    std::vector<Known> known_; // for each surface of the tile
+    // A light and a chunk far away.
+    struct Far {
+        double part; // radius of the light over the distance
+        std::uint32_t light;
+        std::uint32_t surface; // of the tile's
+        std::uint32_t chunk;
+    };
+    std::vector<Far> far_;
+    // What the shader gave, as known.
+    void note(Known& known, const SurfaceSamples::Chunk& chunk, const float* weight, const Visible* visible) const;
 
     // For the light that is being added:
     std::vector<Group> groups_;
