@@ -51,7 +51,13 @@ public:
     };
     template<class Visit>
     void visit_near(const Before& before, double reach, const Visit& visit) const {
-        if (!nodes_.empty()) visit_near(0, before, reach, visit);
+        visit_near(before, reach, visit, [](double /*squared distance*/, double /*height*/) { return true; });
+    }
+    // The same, but only lights of which may_matter(squared distance, height) says so, asked with the least distance
+    // and the greatest height over the plane that a light of a node can have [m].
+    template<class Visit, class MayMatter>
+    void visit_near(const Before& before, double reach, const Visit& visit, const MayMatter& may_matter) const {
+        if (!nodes_.empty()) visit_near(0, before, reach, visit, may_matter);
     }
 
 private:
@@ -67,27 +73,30 @@ private:
         return glm::dot(away, away);
     }
 
-    // Whether all of the node is behind the plane.
-    static bool is_behind(const Node& node, const Before& before, double reach) {
+    // The greatest height of the node over the plane, and a little more for rounding.
+    static double height(const Node& node, const Before& before, double reach) {
         const glm::dvec3 middle = 0.5 * (node.low + node.high) - before.place;
         const double half = 0.5 * glm::dot(node.high - node.low, glm::abs(before.normal));
         constexpr double rounding = 1e-9;
-        return glm::dot(middle, before.normal) + half < -before.margin - rounding * (reach + half);
+        return glm::dot(middle, before.normal) + half + rounding * (reach + half);
     }
 
-    template<class Visit>
+    template<class Visit, class MayMatter>
     // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
-    void visit_near(std::uint32_t index, const Before& before, double& reach, const Visit& visit) const {
+    void visit_near(std::uint32_t index, const Before& before, double& reach, const Visit& visit,
+                    const MayMatter& may_matter) const {
         const Node& node = nodes_[index];
-        if (reach < 0.0 || squared_distance(node, before.place) > reach * reach || is_behind(node, before, reach))
-            return;
+        const double squared_m = squared_distance(node, before.place);
+        if (reach < 0.0 || squared_m > reach * reach) return;
+        const double height_m = height(node, before, reach);
+        if (height_m < -before.margin || !may_matter(squared_m, height_m)) return;
         for (std::uint32_t i = node.first; i < node.first + node.count && reach >= 0.0; ++i)
             reach = visit(spheres_[i].light);
         if (node.count > 0) return;
         const bool is_right_nearer =
             squared_distance(nodes_[node.right], before.place) < squared_distance(nodes_[index + 1], before.place);
-        visit_near(is_right_nearer ? node.right : index + 1, before, reach, visit);
-        visit_near(is_right_nearer ? index + 1 : node.right, before, reach, visit);
+        visit_near(is_right_nearer ? node.right : index + 1, before, reach, visit, may_matter);
+        visit_near(is_right_nearer ? index + 1 : node.right, before, reach, visit, may_matter);
     }
 
     std::uint32_t build(std::size_t first, std::size_t count);

@@ -364,15 +364,19 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
     const LightTree tree(points);
     const auto times_the_mean = [&](const glm::dvec3& position, const glm::dvec3& normal, double least_m) {
         double most = 0.0;
-        tree.visit_near({position, normal}, reach_m, [&](std::uint32_t index) {
+        constexpr double rounding = 1.0 + 1e-9;
+        const auto visit = [&](std::uint32_t index) {
             const LightPlace& light = lights[index];
             const glm::dvec3 to = light.position - position;
             const double distance = std::max(glm::length(to), least_m);
             const double one = glm::dot(to, normal) / (distance * distance * distance);
             if (one > most && glm::dot(to, to) <= reach_m * reach_m && light.may_light(position, 0.0)) most = one;
             // A light makes no more than the reciprocal of its squared distance.
-            constexpr double rounding = 1.0 + 1e-9;
             return most > 0.0 ? std::min(rounding / std::sqrt(most), reach_m) : reach_m;
+        };
+        tree.visit_near({position, normal}, reach_m, visit, [&](double squared_m, double height_m) {
+            const double distance = std::max(std::sqrt(squared_m), least_m);
+            return height_m * rounding > most * distance * distance * distance;
         });
         return most * area_m2 / (4.0 * std::numbers::pi);
     };
