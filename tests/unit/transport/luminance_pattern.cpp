@@ -8,13 +8,16 @@
 
 #include "../light/luminaire.hpp"
 #include "../light/shapes.hpp"
+#include "../preview/numbers.hpp"
 #include "../scaled.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -127,6 +130,81 @@ TEST(LuminancePattern, KnowsMasksOfAllShapes) {
             EXPECT_NEAR(shares[i], with / without, 0.025 * with / without) << text << ", receiver " << i;
         }
     }
+}
+
+// What from_center() says of receivers.
+struct FromCenter {
+    std::vector<float> share;
+    std::vector<float> error;
+};
+FromCenter from_center(const Light& light, const std::vector<Receiver>& receivers) {
+    std::array<std::vector<float>, 6> axes;
+    for (const Receiver& receiver : receivers)
+        for (int axis = 0; axis < 3; ++axis) {
+            axes.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(receiver.position[axis]));
+            axes.at(static_cast<std::size_t>(axis + 3)).push_back(static_cast<float>(receiver.normal[axis]));
+        }
+    detail::LuminanceTables tables;
+    detail::WebTables webs;
+    const detail::LuminancePattern pattern(light, tables, webs);
+    EXPECT_TRUE(pattern.has_center_form());
+    FromCenter found;
+    pattern.from_center({{axes[0].data(), axes[1].data(), axes[2].data()},
+                         {axes[3].data(), axes[4].data(), axes[5].data()},
+                         receivers.size()},
+                        glm::dvec3(0.0), std::nullopt, transport::intensity_kernels(simd::InstructionSet::scalar),
+                        found.share, found.error);
+    return found;
+}
+
+// The same light with one luminance in all directions.
+Light uniform(Light light) {
+    light.emission.reset();
+    std::visit(
+        [](auto& kind) {
+            if constexpr (requires { kind.mask; }) kind.mask.reset();
+        },
+        light.shape);
+    return light;
+}
+
+TEST(LuminancePattern, FromTheCentreIsWithinItsBoundOfQuadrature) {
+    std::vector<Light> lights;
+    for (const char* const formula : {"batwing", "wall-washer"})
+        for (const char* const opening : {"rect:w=60cm,h=30cm", "disk:r=20cm", "box:w=40cm,h=30cm,d=10cm"}) {
+            const Light light = test::luminaire(formula, opening);
+            lights.insert(lights.end(), light.parts->begin(), light.parts->end());
+        }
+    lights.push_back(masked("disk:r=15cm", test::authored_web("cosine:power=3,up=0.5")));
+    lights.push_back(masked("sphere:r=12cm", test::authored_web("cosine:power=3,up=0.5")));
+    std::size_t within_hundredth = 0;
+    std::size_t lit = 0;
+    for (const Light& light : lights) {
+        const Light bare = uniform(light);
+        test::Numbers numbers(5);
+        std::vector<Receiver> receivers;
+        while (receivers.size() < 40) {
+            const glm::dvec3 way = numbers.direction();
+            const double distance_m = std::exp(numbers.between(std::log(5.0), std::log(100.0)));
+            // Half of them on a floor, where the light is far down.
+            const glm::dvec3 normal = receivers.size() % 2 == 0 ? glm::dvec3(0, 0, 1) : numbers.direction();
+            if (glm::dot(way, -light.frame.z) > 0.02)
+                receivers.push_back({light.frame.origin + distance_m * way, normal});
+        }
+        const FromCenter found = from_center(light, receivers);
+        for (std::size_t i = 0; i < receivers.size(); ++i) {
+            const double with = reference_illuminance(light, receivers[i].position, receivers[i].normal).value;
+            const double without = reference_illuminance(bare, receivers[i].position, receivers[i].normal).value;
+            if (!(without > 0.0)) continue;
+            const double truth = with / without;
+            constexpr double rounding = 2e-4; // of angles in float, on steep webs
+            EXPECT_LE(std::abs(found.share[i] - truth), found.error[i] + rounding * truth + 1e-9)
+                << light.name << ", receiver " << i;
+            lit += truth > 0.0 ? 1U : 0U;
+            within_hundredth += found.error[i] < 0.01 * truth ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(within_hundredth, lit / 10); // the bounds are of use, even for these steep webs
 }
 
 TEST(LuminancePattern, OfATinyLightIsThatOfOneDirection) {
