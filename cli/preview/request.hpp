@@ -49,10 +49,11 @@ inline constexpr std::array preview_method_options{
     Option{"--probe-at", "X,Y,Z",
            "where the methods parallax-box and parallax-sphere take their picture of the stage (halfway between the "
            "camera and what it looks at)"},
-    Option{"--error", "E",
-           "relative tolerance of the method reference (1% for a picture; with --compare, --sweep and --aov 1e-6 for "
-           "each value); with the method exact, off unless given: far luminaires are seen from their centres, as long as "
-           "the direct light of each pixel stays within E, for example 0.1%"},
+    Option{
+        "--error", "E",
+        "relative tolerance of the method reference (1% for a picture; with --compare, --sweep and --aov 1e-6 for "
+        "each value); with the method exact, off unless given: far luminaires are seen from their centres, as long as "
+        "the direct light of each pixel stays within E, for example 0.1%"},
     Option{"--time", "T", "time limit of the method reference for one picture, for example 30s; Ctrl-C stops it"},
     Option{"--bounces,--indirect", "N",
            "how often light bounces between the surfaces of the stage: a number, all (the default) or off; also in "
