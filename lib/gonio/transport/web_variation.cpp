@@ -175,8 +175,8 @@ WebVariation::Bounds bounds_between(const Grid& grid, bool is_mirrored, double l
     WebVariation::Bounds bounds;
     const bool has_pole = low <= 0.0 || high >= pi;
     const double sine = has_pole ? 0.0 : std::min(std::sin(low), std::sin(high));
-    const double cotangent =
-        has_pole ? unbounded : std::max(std::abs(1.0 / std::tan(low)), std::abs(1.0 / std::tan(high)));
+    double cotangent = unbounded;
+    if (!has_pole) cotangent = std::max(std::abs(1.0 / std::tan(low)), std::abs(1.0 / std::tan(high)));
     bounds.bend_rad = std::min(WebVariation::reach_rad, 0.5 * sine * grid.narrowest_rad);
     double gamma_kink = 0.0;
     double plane_kink = 0.0;
