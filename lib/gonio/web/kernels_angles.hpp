@@ -12,8 +12,7 @@ namespace gonio::web_detail {
 
 struct AngleKernels {
     simd::InstructionSet set;
-    // The angles of (x, y) from +X towards +Y in [−180°, 180°], within 1e-13° of atan2: of `count` pairs. The same sign
-    // as y, 0 for y = −0. NaN where both are 0, one is infinite or NaN.
+    // simd::angle_deg() of `count` pairs.
     void (*angles_deg)(std::size_t count, const double* y, const double* x, double* deg);
 };
 
