@@ -22,7 +22,7 @@ constexpr std::array formula_options{
     Option{"--what", "WHAT,…", "irradiance, brdf, sample, pdf, shade, roughness, visibility (by the options above)"},
 };
 constexpr std::array text_options{
-    Option{"--lang", "LANG", "glsl-es300, glsl450, hlsl, msl, wgsl (glsl450)", "shader-langs"},
+    Option{"--lang", "LANG", "glsl-es300, glsl450, hlsl, msl, wgsl, osl (glsl450)", "shader-langs"},
     Option{"--branches", "KIND", "real: return early where a case is simple; select: compute both (real)"},
     Option{"-o,--output", "FILE", "write a file; '-' is stdout, as without this option"},
     durable_option,

@@ -32,8 +32,10 @@ struct Target {
 };
 constexpr std::array targets{Target{"glsl-es300", ShaderLanguage::glsl_es300, "frag"},
                              Target{"glsl450", ShaderLanguage::glsl450, "frag"},
-                             Target{"hlsl", ShaderLanguage::hlsl, "hlsl"}, Target{"msl", ShaderLanguage::msl, "metal"},
-                             Target{"wgsl", ShaderLanguage::wgsl, "wgsl"}};
+                             Target{"hlsl", ShaderLanguage::hlsl, "hlsl"},
+                             Target{"msl", ShaderLanguage::msl, "metal"},
+                             Target{"wgsl", ShaderLanguage::wgsl, "wgsl"},
+                             Target{"osl", ShaderLanguage::osl, "osl"}};
 
 // The arguments of a call, from an array of vectors of four numbers. `of` is how a language reads number i.
 template<class Of>
@@ -88,6 +90,13 @@ std::string whole_shader(const Target& target, const Function& function, const s
         return fmt::format("{}\n@group(0) @binding(0) var<uniform> inputs: array<vec4<f32>, 8>;\n\n@fragment\n"
                            "fn main() -> @location(0) vec4<f32> {{\n    return vec4<f32>({}, 1.0);\n}}\n",
                            text, is_vector ? call : fmt::format("vec3<f32>({})", call));
+    }
+    case ShaderLanguage::osl: {
+        const auto input = [](std::size_t i) { return fmt::format("inputs[{}]", i); };
+        const std::string call = fmt::format("{}({})", function.name, arguments_of(function, "vector", input));
+        return fmt::format("{}\nshader at(float inputs[32] = {{0}}, output color result = 0) {{\n"
+                           "    vector all = vector({});\n    result = color(all[0], all[1], all[2]);\n}}\n",
+                           text, call);
     }
     }
     return text;

@@ -5,7 +5,8 @@
 #
 # GLSL and HLSL by glslang, their SPIR-V by spirv-val; the SPIR-V of GLSL 4.50 goes on to MSL and back to GLSL by
 # spirv-cross. The MSL that gonio prints is compiled by g++ with a stand-in for Metal's library, which checks syntax and
-# types; Apple's compiler runs on macOS only. WGSL is checked in the browser (browser.mjs), whose compiler is tint.
+# types; Apple's compiler runs on macOS only. WGSL is checked in the browser (browser.mjs), whose compiler is tint. OSL
+# is compiled by oslc where there is one: $GONIO_OSLC, or in the path; Debian has none.
 # FOLDER/instructions.txt gets a line for each function: its name, then the instructions of its whole shader after
 # spirv-opt -O, with early returns, with selects, and of the one written by hand if there is one.
 set -euo pipefail
@@ -47,6 +48,14 @@ done
 for shader in "$folder"/msl/*.metal; do
     check "$shader" g++ -std=c++14 -x c++ -fsyntax-only -Wall -Werror -I "$here/metal" "$shader"
 done
+oslc=${GONIO_OSLC:-$(command -v oslc || true)}
+if [[ -n $oslc ]]; then
+    for shader in "$folder"/osl/*.osl; do
+        check "$shader" "$oslc" -q -o "${shader%.osl}.oso" "$shader"
+    done
+else
+    echo "there is no oslc: $(find "$folder/osl" -name '*.osl' | wc -l) shaders in OSL were not compiled"
+fi
 for shader in "$folder"/glsl450/*.frag; do
     spirv=${shader%.frag}.spv
     check "$shader" glslangValidator -V --target-env vulkan1.1 "$shader" -o "$spirv"

@@ -24,7 +24,7 @@ struct Words {
     std::array<std::string_view, 3> types; // by Type
     std::string_view after_number;
     std::string_view before_function;
-    std::string_view before_table;
+    std::string_view before_table; // empty: tables are variables of the functions that read them
     std::string_view prelude;
 };
 
@@ -49,7 +49,17 @@ constexpr std::array all_words{
           "static constant",
           "// Metal Shading Language.\n\n#include <metal_stdlib>\nusing namespace metal;\n"},
     Words{ShaderLanguage::wgsl, {"f32", "vec3<f32>", "bool"}, "", "", "const", "// WGSL.\n"},
+    Words{ShaderLanguage::osl, {"float", "vector", "int"}, "", "", "", "// Open Shading Language.\n"},
 };
+
+// Types of the Open Shading Language that parameters are called elsewhere.
+constexpr std::array reserved_in_osl{"normal", "point", "color", "output"};
+
+std::string name_in(ShaderLanguage language, std::string_view name) {
+    const bool is_reserved = language == ShaderLanguage::osl &&
+                             std::find(reserved_in_osl.begin(), reserved_in_osl.end(), name) != reserved_in_osl.end();
+    return std::string(name) + (is_reserved ? "_" : "");
+}
 
 constexpr std::size_t widest = 100;      // columns
 constexpr std::size_t longest_text = 80; // of an expression
@@ -131,7 +141,8 @@ public:
         const std::string_view type = words.types[static_cast<std::size_t>(Type::scalar)];
         for (const Table& table : all_) {
             const std::size_t size = table.numbers.size();
-            std::string line = std::string(words.before_table) + " ";
+            const std::string indent = words.before_table.empty() ? "    " : "";
+            std::string line = words.before_table.empty() ? indent : std::string(words.before_table) + " ";
             switch (words.language) {
             case ShaderLanguage::wgsl:
                 line += fmt::format("{} = array<f32, {}>(", table.name, size);
@@ -142,10 +153,11 @@ public:
                 break;
             case ShaderLanguage::hlsl:
             case ShaderLanguage::msl:
+            case ShaderLanguage::osl:
                 line += fmt::format("{} {}[{}] = {{", type, table.name, size);
                 break;
             }
-            text += listed(line, table, line.back() == '{' ? "};" : ");", words);
+            text += listed(line, indent + "    ", table, line.back() == '{' ? "};" : ");", words);
         }
         return text;
     }
@@ -155,14 +167,15 @@ private:
         std::string name;
         std::vector<double> numbers;
     };
-    static std::string listed(std::string line, const Table& table, std::string_view end, const Words& words) {
+    static std::string listed(std::string line, const std::string& indent, const Table& table, std::string_view end,
+                              const Words& words) {
         std::string lines;
         const std::size_t size = table.numbers.size();
         for (std::size_t i = 0; i < size; ++i) {
             const std::string part = number_text(table.numbers[i], words) + std::string(i + 1 == size ? end : ",");
             if (line.size() + 1 + part.size() > widest) {
                 lines += line + "\n";
-                line = "    " + part;
+                line = indent + part;
             } else {
                 line += (i == 0 ? "" : " ") + part;
             }
@@ -185,12 +198,14 @@ public:
           is_done_(uses_.size(), false),
           enters_loop_(uses_.size(), false) {
         for (const Parameter& parameter : function.parameters)
-            taken_.insert(std::string(parameter.name));
+            taken_.insert(name_of(parameter));
         for (const NodeId id : order_) {
             const Node& node = function.graph[id];
             for (std::size_t k = 0; k < node.argument_count(); ++k) {
                 const NodeId argument = node.arguments[k];
-                ++uses_[argument];
+                // The Open Shading Language takes components of variables alone.
+                uses_[argument] +=
+                    node.operation == Operation::component && words.language == ShaderLanguage::osl ? 2U : 1U;
                 if ((function.graph.loops_around(id) & ~function.graph.loops_around(argument)) != 0)
                     enters_loop_[argument] = true;
             }
@@ -202,15 +217,16 @@ public:
     }
 
     std::string print() {
-        out_ = signature() + " {\n";
         for (std::size_t i = 0; i < function_.stages.size(); ++i)
             print_stage(i);
-        return out_ + "}\n";
+        return fmt::format("{} {{\n{}{}}}\n", signature(),
+                           words_.before_table.empty() ? tables_.print(words_) : std::string(), out_);
     }
 
 private:
     std::string type(Type of) const { return std::string(words_.types[static_cast<std::size_t>(of)]); }
     bool is_wgsl() const { return words_.language == ShaderLanguage::wgsl; }
+    std::string name_of(const Parameter& parameter) const { return name_in(words_.language, parameter.name); }
 
     std::string signature() const {
         std::string line =
@@ -224,8 +240,8 @@ private:
         std::string lines;
         for (const Parameter& parameter : used) {
             const bool is_last = &parameter == &used.back();
-            std::string part = is_wgsl() ? fmt::format("{}: {}", parameter.name, type(parameter.type))
-                                         : fmt::format("{} {}", type(parameter.type), parameter.name);
+            std::string part = is_wgsl() ? fmt::format("{}: {}", name_of(parameter), type(parameter.type))
+                                         : fmt::format("{} {}", type(parameter.type), name_of(parameter));
             part += is_last ? end : ",";
             const bool is_first = line.size() == indent.size();
             if (!is_first && line.size() + 1 + part.size() + 2 > widest) {
@@ -361,10 +377,10 @@ private:
     std::string new_name(NodeId id) {
         constexpr std::array<std::string_view, 3> letters{"t", "p", "c"};
         const auto known = function_.names.find(id);
-        if (known != function_.names.end() && taken_.insert(known->second).second) return known->second;
-        const std::string_view stem = known != function_.names.end()
-                                          ? known->second
-                                          : letters[static_cast<std::size_t>(function_.graph[id].type)];
+        const std::string stem = known != function_.names.end()
+                                     ? name_in(words_.language, known->second)
+                                     : std::string(letters[static_cast<std::size_t>(function_.graph[id].type)]);
+        if (known != function_.names.end() && taken_.insert(stem).second) return stem;
         for (int i = 1;; ++i) {
             std::string name = fmt::format("{}{}", stem, i);
             if (taken_.insert(name).second) return name;
@@ -477,9 +493,10 @@ private:
         case Operation::constant:
             return {number(node.number), node.number < 0.0 ? sign : primary};
         case Operation::truth:
+            if (words_.language == ShaderLanguage::osl) return {node.number != 0.0 ? "1" : "0", primary};
             return {node.number != 0.0 ? "true" : "false", primary};
         case Operation::parameter:
-            return {std::string(function_.parameters[node.index].name), primary};
+            return {name_of(function_.parameters[node.index]), primary};
         case Operation::element: {
             const Column& column = function_.graph.loops()[node.index].columns[static_cast<std::size_t>(node.number)];
             const auto open = std::find_if(open_loops_.begin(), open_loops_.end(),
@@ -539,15 +556,15 @@ std::string rounded_text(double error) {
 }
 
 // What a user needs to know to call it.
-std::string description(const Formula& formula, const Function& function) {
+std::string description(const Formula& formula, const Function& function, ShaderLanguage language) {
     std::string text = comment(formula.title) + "//\n";
     text += comment(fmt::format("Returns {}.", formula.result));
     std::size_t width = 0;
     for (const Parameter& parameter : function.parameters)
-        if (parameter.is_used) width = std::max(width, parameter.name.size());
+        if (parameter.is_used) width = std::max(width, name_in(language, parameter.name).size());
     for (const Parameter& parameter : function.parameters)
         if (parameter.is_used)
-            text += comment(parameter.meaning, fmt::format("//   {:<{}}  ", parameter.name, width),
+            text += comment(parameter.meaning, fmt::format("//   {:<{}}  ", name_in(language, parameter.name), width),
                             fmt::format("//   {:<{}}  ", "", width));
     text += comment(fmt::format("Source: {}.", formula.source));
     std::string error = fmt::format("Error in float, against double in 10,000 random poses: at most {} of {}",
@@ -572,14 +589,16 @@ std::string printed(std::span<const Formula* const> formulas, ShaderLanguage lan
     std::string text = fmt::format("// Printed by gonio {}. Lengths from 1e-4 to 1e5 m; inputs are finite.\n{}",
                                    version, words.prelude);
     Tables tables;
+    const auto print = [&](const Function& function) {
+        if (words.before_table.empty()) tables = Tables();
+        return FunctionPrinter(function, words, tables).print();
+    };
     std::string bodies;
-    for (const Helper helper : helpers_of(functions)) {
-        const Function& function = function_of(helper);
-        bodies +=
-            "\n" + comment(fmt::format("{}.", info(helper).comment)) + FunctionPrinter(function, words, tables).print();
-    }
+    for (const Helper helper : helpers_of(functions))
+        bodies += "\n" + comment(fmt::format("{}.", info(helper).comment)) + print(function_of(helper));
     for (std::size_t i = 0; i < functions.size(); ++i)
-        bodies += "\n" + description(*formulas[i], functions[i]) + FunctionPrinter(functions[i], words, tables).print();
+        bodies += "\n" + description(*formulas[i], functions[i], language) + print(functions[i]);
+    if (words.before_table.empty()) return text + bodies;
     const std::string constants = tables.print(words);
     if (!constants.empty()) text += "\n// Rules of points, for loops.\n" + constants;
     return text + bodies;

@@ -14,6 +14,7 @@ std::span<const ShaderLanguageName> shader_languages() {
         ShaderLanguageName{"hlsl", ShaderLanguage::hlsl, "HLSL: Direct3D, shader model 5 and later"},
         ShaderLanguageName{"msl", ShaderLanguage::msl, "Metal Shading Language"},
         ShaderLanguageName{"wgsl", ShaderLanguage::wgsl, "WGSL: WebGPU"},
+        ShaderLanguageName{"osl", ShaderLanguage::osl, "Open Shading Language: Cycles, Arnold, RenderMan"},
     };
     return languages;
 }

@@ -16,9 +16,9 @@
 
 namespace gonio {
 
-// GLSL ES 3.00 (WebGL 2), GLSL 4.50 (Vulkan, OpenGL), HLSL (shader model 5 and later), the Metal Shading Language, and
-// WGSL (WebGPU).
-enum class ShaderLanguage : std::uint8_t { glsl_es300, glsl450, hlsl, msl, wgsl };
+// GLSL ES 3.00 (WebGL 2), GLSL 4.50 (Vulkan, OpenGL), HLSL (shader model 5 and later), the Metal Shading Language, WGSL
+// (WebGPU), and the Open Shading Language.
+enum class ShaderLanguage : std::uint8_t { glsl_es300, glsl450, hlsl, msl, wgsl, osl };
 
 // A row of the list of languages.
 struct ShaderLanguageName {

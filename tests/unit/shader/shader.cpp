@@ -23,7 +23,7 @@ namespace gonio::shader {
 namespace {
 
 constexpr std::array all_languages{ShaderLanguage::glsl_es300, ShaderLanguage::glsl450, ShaderLanguage::hlsl,
-                                   ShaderLanguage::msl, ShaderLanguage::wgsl};
+                                   ShaderLanguage::msl,        ShaderLanguage::wgsl,    ShaderLanguage::osl};
 
 std::string text_of(const Formula& formula, ShaderLanguage language, ShaderBranches branches) {
     const Formula* const only = &formula;
@@ -349,6 +349,23 @@ TEST(ShaderText, SumsRowsInLoops) {
     const std::string wgsl = text_of(*rows, ShaderLanguage::wgsl, ShaderBranches::real);
     EXPECT_EQ(count_of(wgsl, "for (var i1 = 0; i1 < 4; i1++) {"), 1U);
     EXPECT_EQ(count_of(wgsl, "const weight_9 = array<f32, 9>("), 1U);
+    const std::string osl = text_of(*rows, ShaderLanguage::osl, ShaderBranches::real);
+    EXPECT_EQ(count_of(osl, "\n    float weight_9[9] = {"), 1U) << "it has no constants outside of functions";
+}
+
+// Without a type of truths, and with types that are names elsewhere; oslc, which tests/shader/compilers.sh runs where
+// there is one, refuses all of this.
+TEST(ShaderText, KeepsTheRulesOfOsl) {
+    const std::regex foreign(R"(\b(bool|true|false|const)\b|[ (]normal[,;) ]|\)\.[xyz])");
+    for (const Formula& formula : formulas())
+        for (const ShaderBranches branches : {ShaderBranches::real, ShaderBranches::select}) {
+            const std::string text = text_of(formula, ShaderLanguage::osl, branches);
+            for (std::size_t from = 0; from < text.size(); from = text.find('\n', from) + 1) {
+                const std::string line = text.substr(from, text.find('\n', from) - from);
+                if (line.find("//") != std::string::npos) continue;
+                EXPECT_FALSE(std::regex_search(line, foreign)) << formula.function << ": " << line;
+            }
+        }
 }
 
 } // namespace
