@@ -52,10 +52,7 @@ std::span<const VisibleShare> SoftShadow::visible(std::size_t own, const ShadowP
     const Ball light{light_->reach.center, light_->reach.body_radius};
     for (const std::uint32_t i : bodies_[own])
         numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, light));
-    if (const std::size_t needed = numbers_.size() * transport::shadow_scratch_numbers; needed > scratch_size_) {
-        scratch_ = std::make_unique_for_overwrite<double[]>(needed);
-        scratch_size_ = needed;
-    }
+    scratch_.resize(std::max(scratch_.size(), numbers_.size() * transport::shadow_scratch_numbers));
     for (std::size_t first = 0; first < points.size(); first += block)
         find(own, points, first, std::min(block, points.size() - first), with_luminance);
     return shares_;
@@ -85,7 +82,7 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
             shares.towards[axis] = cells_.data() + (2 + axis) * all;
     }
     const transport::ShadowKernels& kernels = count == 1 ? plain_kernels_ : kernels_;
-    kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.get(), shares);
+    kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.data(), shares);
     for (std::size_t i = 0; i < count; ++i) {
         VisibleShare& share = shares_[first + i];
         double by_lines = visible_[i];

@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -90,8 +89,7 @@ private:
 
     // Of one block:
     std::vector<ShadowBody> numbers_; // of the bodies
-    std::unique_ptr<double[]> scratch_;
-    std::size_t scratch_size_ = 0;
+    std::vector<double> scratch_;
     std::array<double, block> visible_{};
     std::array<double, block> hiding_{};
     std::vector<double> cells_; // their visible shares, solid angles and directions
