@@ -66,7 +66,9 @@ TEST(WebVariation, BoundsTheWebAlongArcs) {
             const glm::dvec3 along = glm::normalize(any - glm::dot(any, at) * at);
             const WebVariation::Bounds& bounds = variation.at(glm::dot(at, variation.axis()));
             const double arc = WebVariation::reach_rad * std::exp(numbers.between(-5.0, 0.0));
-            const auto cd = [&](double rad) { return web.candela(std::cos(rad) * at + std::sin(rad) * along); };
+            const auto cd = [&, &of = web](double rad) {
+                return of.candela(std::cos(rad) * at + std::sin(rad) * along);
+            };
             const double change = std::abs(cd(arc) - cd(0.0));
             ASSERT_LE(change, bounds.slope * arc * (1.0 + 1e-6) + 1e-6) << name << " at " << trial;
             steepest = std::max(steepest, change / (bounds.slope * arc));
