@@ -377,9 +377,9 @@ private:
     std::string new_name(NodeId id) {
         constexpr std::array<std::string_view, 3> letters{"t", "p", "c"};
         const auto known = function_.names.find(id);
-        const std::string stem = known != function_.names.end()
-                                     ? name_in(words_.language, known->second)
-                                     : std::string(letters[static_cast<std::size_t>(function_.graph[id].type)]);
+        std::string stem = known != function_.names.end()
+                               ? name_in(words_.language, known->second)
+                               : std::string(letters[static_cast<std::size_t>(function_.graph[id].type)]);
         if (known != function_.names.end() && taken_.insert(stem).second) return stem;
         for (int i = 1;; ++i) {
             std::string name = fmt::format("{}{}", stem, i);

@@ -33,7 +33,7 @@ struct Native<sse2> {
     }
     template<class Mask>
     GONIO_FORCE_INLINE static half_double select(Mask mask, half_double a, half_double b) {
-        const half_double m = reinterpret_cast<half_double>(mask);
+        const auto m = reinterpret_cast<half_double>(mask);
         return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
     }
     GONIO_FORCE_INLINE static half_double sqrt(half_double x) { return _mm_sqrt_pd(x); }

@@ -91,7 +91,7 @@ std::array<double, 10> direct_ratios(const Web& web) {
         across.at(i) = std::cos(azimuth_deg(i) * radians_per_degree);
         along.at(i) = std::sin(azimuth_deg(i) * radians_per_degree);
     }
-    std::array<double, 90 * gamma_parts> gammas_deg{};
+    std::array<double, std::size_t{90} * gamma_parts> gammas_deg{};
     for (std::size_t j = 0; j < gammas_deg.size(); ++j)
         gammas_deg.at(j) = (static_cast<double>(j) + 0.5) / gamma_parts;
     const FoldedRing ring(web, gammas_deg);
