@@ -102,10 +102,6 @@ std::optional<double> ProfileFacts::efficacy_lm_per_w() const {
     return input_w && flux_unit == "lm" ? std::optional(flux_lm / *input_w) : std::nullopt;
 }
 
-ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options, bool all) {
-    return profile_facts(profile, web, options, all ? FactsExtent::all : FactsExtent::report);
-}
-
 ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options, FactsExtent extent) {
     ProfileFacts facts;
     if (const std::string unit = radiometric_unit(profile); !unit.empty() && !options.as_candela) {

@@ -87,8 +87,5 @@ enum class FactsExtent {
 ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options = {},
                            FactsExtent extent = FactsExtent::all);
 
-// FactsExtent::all, or else FactsExtent::report.
-ProfileFacts profile_facts(const Profile& profile, const Web& web, const ResolveOptions& options, bool all);
-
 } // namespace gonio
 #pragma GCC visibility pop

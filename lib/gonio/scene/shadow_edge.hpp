@@ -93,13 +93,10 @@ private:
     }
 
     ShadowEdge<S> of_panel(const ShadowBody& panel) const {
-        const vec3<S> middle = spread<S>(panel.middle) - receiver_;
-        const vec3<S> right = spread<S>(panel.x) * S(panel.half_size[0]);
-        const vec3<S> up = spread<S>(panel.y) * S(panel.half_size[1]);
-        const Corner corner[4] = {{middle - right - up, towards_},
-                                  {middle + right - up, towards_},
-                                  {middle + right + up, towards_},
-                                  {middle - right + up, towards_}};
+        const PanelCorners<S> corners(panel, receiver_);
+        Corner corner[4];
+        for (int i = 0; i < 4; ++i)
+            corner[i] = Corner(corners.at[i], towards_);
         ShadowEdge<S> nearest;
         for (int i = 0; i < 4; ++i)
             add(nearest, segment(corner[i], corner[(i + 1) % 4]));

@@ -217,6 +217,22 @@ private:
     mask is_free_; // the receiver does not touch it
 };
 
+// The corners of a panel in their order, relative to the receiver.
+template<class S>
+struct PanelCorners {
+    vec3<S> at[4];
+
+    GONIO_FORCE_INLINE PanelCorners(const ShadowBody& panel, const vec3<S>& receiver) {
+        const vec3<S> middle = spread<S>(panel.middle) - receiver;
+        const vec3<S> right = spread<S>(panel.x) * S(panel.half_size[0]);
+        const vec3<S> up = spread<S>(panel.y) * S(panel.half_size[1]);
+        at[0] = middle - right - up;
+        at[1] = middle + right - up;
+        at[2] = middle + right + up;
+        at[3] = middle - right + up;
+    }
+};
+
 template<class S>
 class HidingPanel {
 public:
@@ -231,14 +247,8 @@ public:
           half_height_(panel.half_size[1]),
           height_(-dot(middle_, z_)),
           is_free_(simd::abs(height_) > touching_distance(receiver)),
-          is_apart_(panel.is_apart) {
-        const vec3<S> right = x_ * half_width_;
-        const vec3<S> up = y_ * half_height_;
-        corner_[0] = middle_ - right - up;
-        corner_[1] = middle_ + right - up;
-        corner_[2] = middle_ + right + up;
-        corner_[3] = middle_ - right + up;
-    }
+          is_apart_(panel.is_apart),
+          corners_(panel, receiver) {}
 
     GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
         return simd::both(is_free_, is_passed(height_ + dot(way, z_), way));
@@ -247,14 +257,14 @@ public:
         HiddenPiece<S> piece;
         S side[4];
         for (int i = 0; i < 4; ++i)
-            side[i] = dot(line.normal, corner_[i]);
+            side[i] = dot(line.normal, corners_.at[i]);
         const S lowest = simd::min(simd::min(side[0], side[1]), simd::min(side[2], side[3]));
         const S highest = simd::max(simd::max(side[0], side[1]), simd::max(side[2], side[3]));
         const auto where = simd::both(is_free_, simd::both(lowest <= S(0), highest >= S(0)));
         if (!simd::any(where)) return piece;
         const CutEdges<S> edges(line);
         for (int i = 0; i < 4; ++i)
-            edges.add(piece, where, corner_[i], side[i], corner_[(i + 1) % 4], side[(i + 1) % 4]);
+            edges.add(piece, where, corners_.at[i], side[i], corners_.at[(i + 1) % 4], side[(i + 1) % 4]);
         const S from = height_ + dot(line.from, z_);
         const S to = from + dot(line.along, z_);
         if (!is_apart_) {
@@ -281,7 +291,7 @@ private:
     S height_;     // of the receiver
     mask is_free_; // the receiver does not touch it
     bool is_apart_;
-    vec3<S> corner_[4];
+    PanelCorners<S> corners_;
 };
 
 template<class S>

@@ -18,7 +18,8 @@ Profile profile_named(const std::string& name) {
 }
 
 ProfileFacts facts_of(const Profile& profile, const ResolveOptions& options = {}, bool all = true) {
-    return profile_facts(profile, resolve_web(profile, options).value().web, options, all);
+    return profile_facts(profile, resolve_web(profile, options).value().web, options,
+                         all ? FactsExtent::all : FactsExtent::report);
 }
 
 TEST(ProfileFacts, AreTheSameInEveryFormat) {

@@ -71,22 +71,34 @@ TEST(LuminancePattern, IsTheSameWithEveryInstructionSet) {
     }
 }
 
+// Receivers as arrays of floats.
+class Axes {
+public:
+    explicit Axes(const std::vector<Receiver>& receivers) {
+        for (const Receiver& receiver : receivers)
+            for (int axis = 0; axis < 3; ++axis) {
+                axes_.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(receiver.position[axis]));
+                axes_.at(static_cast<std::size_t>(axis + 3)).push_back(static_cast<float>(receiver.normal[axis]));
+            }
+    }
+    transport::Receivers receivers() const {
+        return {{axes_[0].data(), axes_[1].data(), axes_[2].data()},
+                {axes_[3].data(), axes_[4].data(), axes_[5].data()},
+                axes_[0].size()};
+    }
+
+private:
+    std::array<std::vector<float>, 6> axes_;
+};
+
 // Illuminance over that of the same light without its mask.
 std::vector<double> shares_of(const Light& light, const std::vector<Receiver>& receivers) {
-    std::array<std::vector<float>, 6> axes;
-    for (const Receiver& receiver : receivers)
-        for (int axis = 0; axis < 3; ++axis) {
-            axes.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(receiver.position[axis]));
-            axes.at(static_cast<std::size_t>(axis + 3)).push_back(static_cast<float>(receiver.normal[axis]));
-        }
+    const Axes axes(receivers);
     detail::LuminanceTables tables;
     detail::WebTables webs;
     const detail::LuminancePattern pattern(light, tables, webs);
     std::vector<float> share;
-    pattern.evaluate({{axes[0].data(), axes[1].data(), axes[2].data()},
-                      {axes[3].data(), axes[4].data(), axes[5].data()},
-                      receivers.size()},
-                     glm::dvec3(0.0), transport::luminance_kernels(simd::InstructionSet::scalar),
+    pattern.evaluate(axes.receivers(), glm::dvec3(0.0), transport::luminance_kernels(simd::InstructionSet::scalar),
                      transport::intensity_kernels(simd::InstructionSet::scalar), share);
     return {share.begin(), share.end()};
 }
@@ -138,22 +150,14 @@ struct FromCenter {
     std::vector<float> error;
 };
 FromCenter from_center(const Light& light, const std::vector<Receiver>& receivers) {
-    std::array<std::vector<float>, 6> axes;
-    for (const Receiver& receiver : receivers)
-        for (int axis = 0; axis < 3; ++axis) {
-            axes.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(receiver.position[axis]));
-            axes.at(static_cast<std::size_t>(axis + 3)).push_back(static_cast<float>(receiver.normal[axis]));
-        }
+    const Axes axes(receivers);
     detail::LuminanceTables tables;
     detail::WebTables webs;
     const detail::LuminancePattern pattern(light, tables, webs);
     EXPECT_TRUE(pattern.has_center_form());
     FromCenter found;
-    pattern.from_center({{axes[0].data(), axes[1].data(), axes[2].data()},
-                         {axes[3].data(), axes[4].data(), axes[5].data()},
-                         receivers.size()},
-                        glm::dvec3(0.0), std::nullopt, transport::intensity_kernels(simd::InstructionSet::scalar),
-                        found.share, found.error);
+    pattern.from_center(axes.receivers(), glm::dvec3(0.0), std::nullopt,
+                        transport::intensity_kernels(simd::InstructionSet::scalar), found.share, found.error);
     return found;
 }
 
