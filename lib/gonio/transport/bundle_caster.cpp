@@ -57,11 +57,6 @@ DirectionArrays::DirectionArrays(std::span<const glm::dvec3> directions) {
         add(direction);
 }
 
-void DirectionArrays::add(const glm::dvec3& direction) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        axes[axis].push_back(static_cast<float>(direction[static_cast<int>(axis)]));
-}
-
 void DirectionArrays::clear() {
     for (std::vector<float>& axis : axes)
         axis.clear();

@@ -27,7 +27,10 @@ struct DirectionArrays {
     DirectionArrays() = default;
     explicit DirectionArrays(std::span<const glm::dvec3> directions);
 
-    void add(const glm::dvec3& direction);
+    void add(const glm::dvec3& direction) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            axes.at(axis).push_back(static_cast<float>(direction[static_cast<int>(axis)]));
+    }
     void clear();
     std::size_t size() const { return axes[0].size(); }
     glm::dvec3 of(std::size_t index) const;

@@ -123,6 +123,7 @@ Patches::Patches(const Stage& stage, const Interest& interest, std::span<const L
     for (std::uint32_t patch = 0; patch < cell_of_.size(); ++patch)
         patches_of_[next[cell_of_[patch]]++] = patch;
     link_to_bright_cells(lights, square_m_ * square_m_ * count);
+    linked_ = LinkedCells(*this);
 }
 
 std::array<glm::dvec3, 4> Patches::corners(std::uint32_t patch) const {
@@ -137,17 +138,6 @@ std::array<glm::dvec3, 4> Patches::corners(std::uint32_t patch) const {
 double Patches::half_across(std::uint32_t patch) const {
     const double half_m = half_diagonal_m_[patch];
     return std::sqrt(half_m * half_m - half_length_m_[patch] * half_length_m_[patch]);
-}
-
-glm::dvec3 Patches::nearest(std::uint32_t patch, const glm::dvec3& to) const {
-    const double half_m = half_length_m_[patch];
-    if (half_m == 0.0) return middle_[patch];
-    const glm::dvec3& axis = charts_.all()[chart_of_[patch]].frame.z;
-    return middle_[patch] + std::clamp(glm::dot(to - middle_[patch], axis), -half_m, half_m) * axis;
-}
-
-bool Patches::is_on_sheet(std::uint32_t patch) const {
-    return cells_[cell_of_[patch]].is_on_sheet;
 }
 
 bool Patches::has_moments() const {

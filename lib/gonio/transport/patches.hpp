@@ -4,6 +4,7 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/axis.hpp>
 #include <gonio/transport/chart.hpp>
+#include <gonio/transport/linked_cells.hpp>
 #include <gonio/transport/spacing.hpp>
 
 #include <glm/vec2.hpp>
@@ -71,7 +72,7 @@ struct Cell {
     double spread = 0.0;      // the sine of the greatest angle between its normals and `normal`; 1 for more than 90°
     bool covered = false;     // lies in a solid or against another surface: it neither gets nor sends light
     bool is_of_small = false; // of what is not large: links carry what rays would miss
-    bool is_on_sheet = false; // and flat
+    bool is_on_sheet = false; // and flat: links carry all that it sends
     glm::dvec3 linked_middle{0.0}; // of a bright one, the middle of what links carry; else `position`
     bool is_bright = false;        // flat and close to a light: links carry a part of what it sends
 
@@ -113,6 +114,7 @@ public:
     // In order: the cells of boxes, spheres and capsules that are not large, which rays would miss, and flat cells
     // close to a light, which few rays would meet.
     const std::vector<std::uint32_t>& linked_cells() const { return linked_cells_; }
+    const LinkedCells& linked() const { return linked_; } // the same
     // The patches of a cell.
     std::span<const std::uint32_t> patches_of(std::uint32_t cell) const {
         return std::span(patches_of_).subspan(first_of_[cell], first_of_[cell + 1] - first_of_[cell]);
@@ -127,11 +129,7 @@ public:
     std::array<glm::dvec3, 4> corners(std::uint32_t patch) const; // of a flat one, one after the other
     // Of a patch along the straight part of a thin solid that is much longer than wide, half of its length; else 0.
     double half_length(std::uint32_t patch) const { return half_length_m_[patch]; }
-    // Half of its diagonal without that length, and the point of that length which is nearest to another.
-    double half_across(std::uint32_t patch) const;
-    glm::dvec3 nearest(std::uint32_t patch, const glm::dvec3& to) const;
-    // Of a small one-sided surface, which rays would miss: links carry all that it sends.
-    bool is_on_sheet(std::uint32_t patch) const;
+    double half_across(std::uint32_t patch) const; // half of its diagonal without that length
     // Points of a chart gather light with this many times the rays of others: of a small sheet or a thin pole, which
     // sees what is bright at grazing angles, or half of it; and of what is round and stands close to another solid.
     static constexpr std::size_t rays_of_slight = 8;
@@ -169,6 +167,7 @@ private:
     std::vector<double> half_diagonal_m_;
     std::vector<double> half_length_m_;
     std::vector<std::uint32_t> linked_cells_;
+    LinkedCells linked_;
     std::vector<float> by_rays_;          // by patch
     std::vector<float> by_links_;         // by cell: 1 but for bright ones
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_

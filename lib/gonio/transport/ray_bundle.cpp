@@ -31,11 +31,6 @@ bool is_far(double distance2, double half_diagonal_m, double least_distance) {
     return distance2 > least * least;
 }
 
-double distance2_of(const Receivers::Place& place, const glm::dvec3& position) {
-    const glm::dvec3 to = position - place.position;
-    return glm::dot(to, to);
-}
-
 // From a place to a sender.
 struct Way {
     Way(const Receivers::Place& place, const glm::dvec3& position, const glm::dvec3& normal)
@@ -54,32 +49,25 @@ struct Way {
     double distance2;
 };
 
+// The direction of a way and the reciprocal of its length, once for all that asks for them.
+struct Along {
+    explicit Along(const Way& way) : per_distance(1.0 / std::sqrt(way.distance2)), direction(per_distance * way.to) {}
+
+    double per_distance;
+    glm::dvec3 direction;
+};
+
 // The rays and links of one place.
 class Bundle {
 public:
     Bundle(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set)
-        : caster_(stage, caster, patches, set), patches_(patches), by_link_(patches.cells().size(), By::rays) {
-        is_small_.resize(patches.charts().all().size(), 0);
-        is_bright_.resize(is_small_.size(), 0);
-        is_before_.resize(is_small_.size());
-        for (const std::uint32_t linked_cell : patches.linked_cells()) {
-            const Cell& cell = patches.cells()[linked_cell];
-            const std::size_t index = position_[0].size();
-            if (linked_.empty() || linked_.back().chart != cell.chart) linked_.push_back({cell.chart, index, index});
-            linked_.back().last = index + 1;
-            if (cell.is_of_small) is_small_[cell.chart] = 1;
-            if (cell.is_bright) is_bright_[cell.chart] = 1;
-            if (index == 0) anchor_ = cell.position;
-            for (int axis = 0; axis < 3; ++axis) {
-                position_.at(static_cast<std::size_t>(axis))
-                    .push_back(static_cast<float>(cell.position[axis] - anchor_[axis]));
-                normal_.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(cell.normal[axis]));
-            }
-            spread_.push_back(static_cast<float>(cell.spread));
-            reach_.push_back(static_cast<float>(is_flat(linked_cell) ? cell.half_diagonal_m : 0.0));
-        }
-        faces_.resize(patches.linked_cells().size());
-    }
+        : caster_(stage, caster, patches, set),
+          patches_(patches),
+          linked_(patches.linked()),
+          is_before_(patches.charts().all().size()),
+          faces_(linked_.count()),
+          by_link_(patches.cells().size(), By::rays),
+          has_link_(linked_.count() == 0 ? 0 : patches.count(), 0) {}
 
     // `of_charts`: the sum of the shares of each.
     void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<PatchPoint> ends,
@@ -95,12 +83,12 @@ public:
         for (std::size_t i = 0; i < ends.size(); ++i) {
             const std::uint32_t chart = charts_[i];
             if (chart == no_patch) continue;
-            if (is_small_[chart] != 0 && is_linked(place, ends[i].patch())) {
+            if (linked_.is_of_small(chart) && is_linked(ends[i].patch())) {
                 ends[i] = PatchPoint(linked);
                 continue;
             }
             ++count_[i % turns * charts + chart];
-            if (is_bright_[chart] != 0)
+            if (linked_.is_bright(chart))
                 of_charts[chart] -= (1.0F - patches_.by_rays(ends[i].patch())) / static_cast<float>(directions.size());
         }
         for (std::size_t chart = 0; chart < charts; ++chart) {
@@ -114,16 +102,18 @@ public:
 private:
     enum class By : unsigned char { rays, cell, patches };
 
-    bool is_linked(const Receivers::Place& place, std::uint32_t patch) const {
+    bool is_linked(std::uint32_t patch) const {
         const By by = by_link_[patches_.cell_of(patch)];
-        return by == By::cell || (by == By::patches && has_link(place, patch));
+        return by == By::cell || (by == By::patches && has_link_[patch] != 0);
     }
-    bool has_link(const Receivers::Place& place, std::uint32_t patch) const {
-        return patches_.is_on_sheet(patch) || is_far(distance2_of(place, patches_.nearest(patch, place.position)),
-                                                     patches_.half_across(patch), least_of_patch);
-    }
-    bool is_flat(std::uint32_t cell) const {
-        return patches_.charts().all()[patches_.cells()[cell].chart].kind == Chart::Kind::flat;
+    // The squared distance from the place to the nearest point of the length of a patch.
+    double distance2_of(const Receivers::Place& place, const LinkedPatch& patch, std::uint32_t chart) const {
+        glm::dvec3 to = patch.middle - place.position;
+        if (patch.half_length_m > 0.0) {
+            const glm::dvec3& axis = patches_.charts().all()[chart].frame.z;
+            to += std::clamp(-glm::dot(to, axis), -patch.half_length_m, patch.half_length_m) * axis;
+        }
+        return glm::dot(to, to);
     }
 
     // Whether any point of the chart may see the place: not on the place's own solid or on a face that is turned away.
@@ -137,15 +127,16 @@ private:
         possible_.clear();
         towards_.clear();
         const Frame frame = frame_about(place.position, place.normal);
-        for (std::size_t chart = 0; chart < is_small_.size(); ++chart)
+        for (std::size_t chart = 0; chart < is_before_.size(); ++chart)
             is_before_[chart] = may_be_seen(place, patches_.charts().all()[chart]) ? 1 : 0;
-        for (const OfChart& cells : linked_) {
+        for (const LinkedCells::OfChart& cells : linked_.by_chart()) {
             for (std::size_t i = cells.first; i < cells.last; ++i)
                 by_link_[patches_.linked_cells()[i]] = By::rays;
             if (is_before_[cells.chart] == 0) continue;
-            find_facing(place, cells.first, cells.last);
+            linked_.find_facing(place.position, place.normal, cells.first, cells.last, faces_);
+            const bool is_flat = patches_.charts().all()[cells.chart].kind == Chart::Kind::flat;
             for (std::size_t i = cells.first; i < cells.last; ++i)
-                if (faces_[i] > 0.0F) link(place, frame, patches_.linked_cells()[i]);
+                if (faces_[i] > 0.0F) link(place, frame, i, is_flat ? least_of_cell : least_of_round_cell);
         }
         if (possible_.empty()) return;
         charts_.resize(possible_.size());
@@ -168,12 +159,13 @@ private:
         }
     }
 
-    void link(const Receivers::Place& place, const Frame& frame, std::uint32_t cell) {
+    // The linked cell `index`, or its patches where it is closer than `least` of its half diagonals.
+    void link(const Receivers::Place& place, const Frame& frame, std::size_t index, double least) {
+        const std::uint32_t cell = patches_.linked_cells()[index];
         const Cell& sender = patches_.cells()[cell];
         if (sender.covered) return;
         const Way way(place, sender.linked_middle, sender.normal);
         const bool is_wide = sender.spread > most_spread;
-        const double least = is_flat(cell) ? least_of_cell : least_of_round_cell;
         if (!is_wide && way.is_far(sender.half_diagonal_m, least)) {
             by_link_[cell] = By::cell;
             const double area_m2 = patches_.cell_area_m2(cell);
@@ -181,29 +173,34 @@ private:
                 link_bright(place, way, frame, cell, area_m2);
                 return;
             }
-            consider(way, frame, form_factor(way, facing(way, sender.spread), area_m2),
+            const Along along(way);
+            consider(along, frame, form_factor(way, along, facing(way, along, sender.spread), area_m2),
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
                      sender.is_uneven() ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
             return;
         }
         by_link_[cell] = By::patches;
-        for (const std::uint32_t patch : patches_.patches_of(cell)) {
-            if (patches_.is_on_sheet(patch) || sender.is_bright) {
-                const double by_rays = patches_.by_rays(patch);
-                link_parts(place, frame, patch, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0, sender.chart);
+        for (const LinkedPatch& patch : linked_.patches_of(index)) {
+            std::uint8_t& has_link = has_link_[patch.number];
+            has_link = 1;
+            if (sender.is_on_sheet || sender.is_bright) {
+                const double by_rays = patches_.by_rays(patch.number);
+                link_parts(place, frame, patch.number, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0,
+                           sender.chart);
                 continue;
             }
-            if (!has_link(place, patch)) continue;
-            const double half_length_m = patches_.half_length(patch);
-            if (half_length_m > 0.0) {
-                link_stretched(place, frame, patch, half_length_m, sender.chart);
+            has_link = is_far(distance2_of(place, patch, sender.chart), patch.half_across_m, least_of_patch) ? 1 : 0;
+            if (has_link == 0) continue;
+            if (patch.half_length_m > 0.0) {
+                link_stretched(place, frame, patch, sender.chart);
                 continue;
             }
-            const Way to_patch(place, patches_.middle(patch), patches_.normal(patch));
+            const Way to_patch(place, patch.middle, patch.normal);
             if (!(to_patch.here > 0.0)) continue;
-            const double cosine = is_wide ? patches_.mean_cosine(patch, -to_patch.to / std::sqrt(to_patch.distance2))
-                                          : facing(to_patch, 0.5 * sender.spread);
-            consider(to_patch, frame, form_factor(to_patch, cosine, patches_.area_m2(patch)), patch, sender.chart);
+            const Along along(to_patch);
+            const double cosine = is_wide ? patches_.mean_cosine(patch.number, -along.direction)
+                                          : facing(to_patch, along, 0.5 * sender.spread);
+            consider(along, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number, sender.chart);
         }
     }
 
@@ -212,7 +209,8 @@ private:
     void link_bright(const Receivers::Place& place, const Way& way, const Frame& frame, std::uint32_t cell,
                      double area_m2) {
         const Cell& sender = patches_.cells()[cell];
-        const double share = form_factor(way, facing(way, sender.spread), area_m2);
+        const Along middle(way);
+        const double share = form_factor(way, middle, facing(way, middle, sender.spread), area_m2);
         if (!(share > 0.0)) return;
         const glm::dvec2 slopes = slopes_of_form_factor(way, place, sender, area_m2);
         const auto by_links = [&](std::uint32_t patch) {
@@ -223,27 +221,28 @@ private:
             sum += by_links(patch);
         for (const std::uint32_t patch : patches_.patches_of(cell)) {
             const double part = by_links(patch) / sum;
-            consider(Way(place, patches_.middle(patch), sender.normal), frame, part * share,
+            consider(Along(Way(place, patches_.middle(patch), sender.normal)), frame, part * share,
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart, part * slopes);
         }
     }
 
     // A patch along a thin solid, in parts that are far enough away for the form factor of what is small.
-    void link_stretched(const Receivers::Place& place, const Frame& frame, std::uint32_t patch, double half_length_m,
+    void link_stretched(const Receivers::Place& place, const Frame& frame, const LinkedPatch& patch,
                         std::uint32_t chart) {
-        const double across_m = patches_.half_across(patch);
-        const double least_m = std::sqrt(distance2_of(place, patches_.nearest(patch, place.position))) / least_of_patch;
+        const double across_m = patch.half_across_m;
+        const double least_m = std::sqrt(distance2_of(place, patch, chart)) / least_of_patch;
         const double half_part_m =
             std::max(std::sqrt(std::max(least_m * least_m - across_m * across_m, 0.0)), across_m);
-        const double parts = std::min(std::ceil(half_length_m / half_part_m), most_parts);
+        const double parts = std::min(std::ceil(patch.half_length_m / half_part_m), most_parts);
         const glm::dvec3& axis = patches_.charts().all()[chart].frame.z;
         for (double i = 0.0; i < parts; i += 1.0) {
             const double at = (i + 0.5) / parts - 0.5;
-            const Way way(place, patches_.middle(patch) + 2.0 * half_length_m * at * axis, patches_.normal(patch));
+            const Way way(place, patch.middle + 2.0 * patch.half_length_m * at * axis, patch.normal);
             if (!(way.here > 0.0)) continue;
-            const double cosine = patches_.mean_cosine(patch, -way.to / std::sqrt(way.distance2));
-            const double share = form_factor(way, cosine, patches_.area_m2(patch) / parts);
-            consider(way, frame, share, patch, chart, {0.0, share * at});
+            const Along along(way);
+            const double cosine = patches_.mean_cosine(patch.number, -along.direction);
+            const double share = form_factor(way, along, cosine, patch.area_m2 / parts);
+            consider(along, frame, share, patch.number, chart, {0.0, share * at});
         }
     }
 
@@ -294,7 +293,7 @@ private:
                       glm::dvec2(glm::dot(steepness, along_u), glm::dot(steepness, along_v));
             }
             const bool is_even = std::max(std::abs(at.x), std::abs(at.y)) < least_moment;
-            consider(way, frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
+            consider(Along(way), frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
         }
     }
 
@@ -331,8 +330,8 @@ private:
     }
 
     // The mean of the cosine at a sender that is round, 0 where it faces away: its cosines lie close together.
-    static double facing(const Way& way, double spread) {
-        const double cosine = way.there / std::sqrt(way.distance2);
+    static double facing(const Way& way, const Along& along, double spread) {
+        const double cosine = way.there * along.per_distance;
         const double half = std::numbers::sqrt2 * 0.5 * spread; // to the sides, not to the corners
         if (cosine >= half) return cosine;
         return cosine > -half ? (cosine + half) * (cosine + half) / (4.0 * half) : 0.0;
@@ -350,63 +349,29 @@ private:
     }
 
     // Of what is small as seen from the place. `cosine`: at the sender.
-    static double form_factor(const Way& way, double cosine, double area_m2) {
-        return way.here * cosine * area_m2 / (std::numbers::pi * way.distance2 * std::sqrt(way.distance2));
+    static double form_factor(const Way& way, const Along& along, double cosine, double area_m2) {
+        return way.here * cosine * area_m2 * std::numbers::inv_pi * along.per_distance * along.per_distance *
+               along.per_distance;
     }
 
-    // Of linked cells [first, last), the less of the two distances from the planes of place and cell to the other,
-    // above 0 where they see each other. Of a round one the plane that faces the place most.
-    void find_facing(const Receivers::Place& place, std::size_t first, std::size_t last) {
-        const glm::vec3 from(place.position - anchor_);
-        const glm::vec3 normal(place.normal);
-        const float* const x = position_[0].data();
-        const float* const y = position_[1].data();
-        const float* const z = position_[2].data();
-        const float* const normal_x = normal_[0].data();
-        const float* const normal_y = normal_[1].data();
-        const float* const normal_z = normal_[2].data();
-        const float* const spread = spread_.data();
-        const float* const reach = reach_.data();
-        float* const faces = faces_.data();
-        for (std::size_t i = first; i < last; ++i) {
-            const float to_x = x[i] - from.x;
-            const float to_y = y[i] - from.y;
-            const float to_z = z[i] - from.z;
-            const float here = normal.x * to_x + normal.y * to_y + normal.z * to_z;
-            const float there = -(normal_x[i] * to_x + normal_y[i] * to_y + normal_z[i] * to_z);
-            const float turned = spread[i] * std::sqrt(to_x * to_x + to_y * to_y + to_z * to_z);
-            faces[i] = std::min(here + reach[i], there + turned);
-        }
-    }
-
-    // `along`: the moments of the form factor.
-    void consider(const Way& way, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart,
-                  const glm::dvec2& along = glm::dvec2(0.0)) {
+    // `moments`: of the form factor.
+    void consider(const Along& along, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart,
+                  const glm::dvec2& moments = glm::dvec2(0.0)) {
         if (!(share > 0.0)) return;
         possible_.push_back(
-            {number, chart, static_cast<float>(share), static_cast<float>(along.x), static_cast<float>(along.y)});
-        towards_.add(frame.to_local(way.to / std::sqrt(way.distance2)));
+            {number, chart, static_cast<float>(share), static_cast<float>(moments.x), static_cast<float>(moments.y)});
+        towards_.add(frame.to_local(along.direction));
     }
 
     BundleCaster caster_;
     const Patches& patches_;
-    std::vector<std::uint8_t> is_small_;  // by chart: a solid with links instead of rays,
-    std::vector<std::uint8_t> is_bright_; // or one with cells whose light rays and links share
-    std::vector<std::uint8_t> is_before_; // by chart, of the current place
-    struct OfChart {
-        std::uint32_t chart;
-        std::size_t first, last; // of the linked cells
-    };
-    std::vector<OfChart> linked_;
-    // Of the linked cells:
-    glm::dvec3 anchor_{0.0}; // of positions
-    std::array<std::vector<float>, 3> position_, normal_;
-    std::vector<float> spread_;
-    std::vector<float> reach_; // of flat ones, to their corners
+    const LinkedCells& linked_;
     // For the current place:
-    std::vector<float> faces_; // of the linked cells
-    std::vector<By> by_link_;  // by cell
-    struct Possible {          // a link, or a part of one, if nothing stands between
+    std::vector<std::uint8_t> is_before_; // by chart
+    std::vector<float> faces_;            // of the linked cells
+    std::vector<By> by_link_;             // by cell
+    std::vector<std::uint8_t> has_link_;  // by patch, of cells that are linked by patches
+    struct Possible {                     // a link, or a part of one, if nothing stands between
         std::uint32_t sender;
         std::uint32_t chart;
         float share;
@@ -464,35 +429,32 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
     for (const std::size_t factor : factors)
         directions_.emplace_back(cosine_directions(factor * rays));
     const RayCaster caster(stage);
-    constexpr std::size_t together = 64;
-    const std::size_t blocks = (places.size() + together - 1) / together;
-    std::vector<std::vector<Link>> links(blocks);
-    std::vector<std::vector<LinkSlope>> slopes(blocks);
+    blocks_.resize((places.size() + places_together - 1) / places_together);
     first_link_.assign(places.size() + 1, 0);
     first_link_slope_.assign(places.size() + 1, 0);
-    parallel_for(blocks, threads, [&](std::size_t block) {
+    parallel_for(blocks_.size(), threads, [&](std::size_t block) {
         Bundle bundle(stage, caster, patches, set);
-        for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
+        std::vector<Link> links;
+        std::vector<LinkSlope> slopes;
+        const std::size_t first = block * places_together;
+        for (std::size_t i = first; i < std::min(first + places_together, places.size()); ++i) {
             if (places[i].left_out) continue;
             const std::span<PatchPoint> ends_of_place =
                 std::span(ends_).subspan(first_end_[i], first_end_[i + 1] - first_end_[i]);
-            const std::size_t before = links[block].size();
-            const std::size_t slopes_before = slopes[block].size();
-            bundle.make(places[i], directions(i), ends_of_place, links[block], slopes[block],
+            const std::size_t before = links.size();
+            const std::size_t slopes_before = slopes.size();
+            bundle.make(places[i], directions(i), ends_of_place, links, slopes,
                         std::span(of_charts_).subspan(i * charts_, charts_));
-            first_link_[i + 1] = static_cast<std::uint32_t>(links[block].size() - before);
-            first_link_slope_[i + 1] = static_cast<std::uint32_t>(slopes[block].size() - slopes_before);
+            first_link_[i + 1] = static_cast<std::uint32_t>(links.size() - before);
+            first_link_slope_[i + 1] = static_cast<std::uint32_t>(slopes.size() - slopes_before);
         }
+        // Copies, which have no room for more.
+        blocks_[block].links = links;
+        blocks_[block].slopes = slopes;
     });
     for (std::size_t i = 0; i < places.size(); ++i) {
         first_link_[i + 1] += first_link_[i];
         first_link_slope_[i + 1] += first_link_slope_[i];
-    }
-    links_.reserve(first_link_.back());
-    link_slopes_.reserve(first_link_slope_.back());
-    for (std::size_t block = 0; block < blocks; ++block) {
-        links_.insert(links_.end(), links[block].begin(), links[block].end());
-        link_slopes_.insert(link_slopes_.end(), slopes[block].begin(), slopes[block].end());
     }
 }
 
@@ -519,8 +481,8 @@ glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent, std:
     const glm::dvec3 by_rays =
         mean_over(ends(place), step, [&](SentSum& sum, const PatchPoint& end) { sum.add(sent[end.patch()]); });
     glm::dvec3 by_links(0.0);
-    for (std::uint32_t i = first_link_[place]; i < first_link_[place + 1]; ++i)
-        by_links += static_cast<double>(links_[i].share) * sent[links_[i].sender].rgb();
+    for (const Link& link : links(place))
+        by_links += static_cast<double>(link.share) * sent[link.sender].rgb();
     return by_rays + by_links;
 }
 
@@ -532,13 +494,20 @@ glm::dvec3 Bundles::gathered(std::size_t place, const SentSlopes& slopes) const 
         sum.add(end.v(), slope.along_v);
     });
     SentSum by_links;
-    for (std::uint32_t i = first_link_slope_[place]; i < first_link_slope_[place + 1]; ++i) {
-        const LinkSlope& link = link_slopes_[i];
+    for (const LinkSlope& link : link_slopes(place)) {
         const SentSlope& slope = slopes.of_links(link.sender);
         by_links.add(link.along_u, slope.along_u);
         by_links.add(link.along_v, slope.along_v);
     }
     return by_rays + by_links.rgb();
+}
+
+std::size_t Bundles::memory() const {
+    std::size_t of_links = 0;
+    for (const OfBlock& block : blocks_)
+        of_links += block.links.size() * sizeof(Link) + block.slopes.size() * sizeof(LinkSlope);
+    return ends_.size() * sizeof(PatchPoint) + of_links + of_charts_.size() * sizeof(float) +
+           first_end_.size() * sizeof(std::size_t);
 }
 
 double Bundles::escaping(std::size_t place) const {

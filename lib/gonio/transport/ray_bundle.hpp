@@ -120,11 +120,7 @@ public:
     glm::dvec3 leaving(std::size_t place, std::span<const glm::dvec3> along) const;
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
-    std::size_t memory() const {
-        return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) +
-               link_slopes_.size() * sizeof(LinkSlope) + of_charts_.size() * sizeof(float) +
-               first_end_.size() * sizeof(std::size_t);
-    }
+    std::size_t memory() const;
 
     // Of the rays of a place that has any, about the axes of frame_about() its normal.
     const DirectionArrays& directions(std::size_t place) const {
@@ -136,19 +132,33 @@ public:
     std::span<const PatchPoint> ends(std::size_t place) const {
         return std::span(ends_).subspan(first_end_[place], first_end_[place + 1] - first_end_[place]);
     }
-    std::span<const Link> links(std::size_t place) const {
-        return std::span(links_).subspan(first_link_[place], first_link_[place + 1] - first_link_[place]);
-    }
+    std::span<const Link> links(std::size_t place) const { return of_place(&OfBlock::links, first_link_, place); }
 
 private:
+    // The links of this many places stay together as they were made: all in one array would be copied once more.
+    static constexpr std::size_t places_together = 64;
+    struct OfBlock {
+        std::vector<Link> links;
+        std::vector<LinkSlope> slopes;
+    };
+    template<class Element>
+    std::span<const Element> of_place(std::vector<Element> OfBlock::*of, const std::vector<std::uint32_t>& first,
+                                      std::size_t place) const {
+        const std::size_t block = place / places_together;
+        return std::span(blocks_[block].*of)
+            .subspan(first[place] - first[block * places_together], first[place + 1] - first[place]);
+    }
+    std::span<const LinkSlope> link_slopes(std::size_t place) const {
+        return of_place(&OfBlock::slopes, first_link_slope_, place);
+    }
+
     std::vector<DirectionArrays> directions_; // for each number of rays
     std::vector<std::size_t> first_end_;      // by place, and the end of the last
     std::vector<PatchPoint> ends_;
-    std::vector<Link> links_;
+    std::vector<OfBlock> blocks_;
     std::size_t charts_ = 0;
     std::vector<float> of_charts_;
-    std::vector<std::uint32_t> first_link_; // by place, and the end of the last
-    std::vector<LinkSlope> link_slopes_;
+    std::vector<std::uint32_t> first_link_;       // by place, and the end of the last, in all blocks
     std::vector<std::uint32_t> first_link_slope_; // the same
 };
 
