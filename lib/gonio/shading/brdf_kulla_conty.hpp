@@ -126,28 +126,45 @@ struct KullaConty {
     GgxLoss<S> loss;  // holds α too
 };
 
+// F_ms/(π L̄) of the three channels, for the mean loss L̄ in [0, 1]; 0 where nothing is lost.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> multiple_scattering_factor(vec3<S> f0, S mean_loss) {
+    const S inverse = reciprocal_or_zero(mean_loss) * S(std::numbers::inv_pi);
+    const auto channel = [&](S f) {
+        const S average = simd::mul_add(S(1) - f, S(1.0 / 21.0), f);
+        return average * average * (S(1) - mean_loss) / (S(1) - average * mean_loss) * inverse;
+    };
+    return {channel(f0.x), channel(f0.y), channel(f0.z)};
+}
+
 // f0 and α in [0, 1].
 template<class S>
 GONIO_FORCE_INLINE KullaConty<S> kulla_conty_material(vec3<S> f0, S alpha) {
     const GgxLoss<S> loss = ggx_loss(alpha);
-    const S mean = loss.mean();
-    const S inverse = reciprocal_or_zero(mean) * S(std::numbers::inv_pi);
-    const auto channel = [&](S f) {
-        const S average = simd::mul_add(S(1) - f, S(1.0 / 21.0), f);
-        return average * average * (S(1) - mean) / (S(1) - average * mean) * inverse;
-    };
-    return {f0, {channel(f0.x), channel(f0.y), channel(f0.z)}, loss};
+    return {f0, multiple_scattering_factor(f0, loss.mean()), loss};
 }
 
-// The wide lobe [1/sr].
-template<class S>
-GONIO_FORCE_INLINE vec3<S> multiple_scattering(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+namespace detail {
+
+// The wide lobe [1/sr]: `factor` is F_ms/(π L̄), and the losses are functions of n·l and of n·v. A shader's caller has
+// looked them up, so there they return its numbers (shader/).
+template<class S, class LossOfLight, class LossOfView>
+GONIO_FORCE_INLINE vec3<S> wide_lobe(vec3<S> factor, vec3<S> n, vec3<S> l, vec3<S> v, const LossOfLight& loss_of_light,
+                                     const LossOfView& loss_of_view) {
     const S n_dot_l = dot(n, l);
     const S n_dot_v = dot(n, v);
     const auto lit = simd::both(above_surface(n_dot_l), above_surface(n_dot_v));
     const auto cosine = [&](S c) { return simd::min(simd::select(lit, c, S(1)), S(1)); };
-    const S lost = material.loss(cosine(n_dot_l)) * material.loss(cosine(n_dot_v));
-    return material.multiple * simd::select(lit, lost, S(0));
+    const S lost = loss_of_light(cosine(n_dot_l)) * loss_of_view(cosine(n_dot_v));
+    return factor * simd::select(lit, lost, S(0));
+}
+
+} // namespace detail
+
+// The wide lobe [1/sr].
+template<class S>
+GONIO_FORCE_INLINE vec3<S> multiple_scattering(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+    return detail::wide_lobe(material.multiple, n, l, v, material.loss, material.loss);
 }
 
 template<class S>
@@ -185,12 +202,22 @@ GONIO_FORCE_INLINE KullaConty<S> white(const KullaConty<S>& material) {
     return changed;
 }
 
+namespace detail {
+
+// `lost` is L(n·v).
+template<class S>
+GONIO_FORCE_INLINE Lobes<S> kulla_conty_lobes(vec3<S> f0, S alpha, S lost, S n_dot_v) {
+    const S mean_f0 = mean(f0);
+    const S reflected = simd::mul_add(S(1) - mean_f0, schlick_weight(n_dot_v), mean_f0);
+    return lobes_by_weight(alpha, reflected * (S(1) - lost), reflected * lost);
+}
+
+} // namespace detail
+
 template<class S>
 GONIO_FORCE_INLINE Lobes<S> lobes(const KullaConty<S>& material, S n_dot_v) {
-    const S f0 = mean(material.f0);
-    const S reflected = simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0);
     const S lost = material.loss(simd::min(simd::max(n_dot_v, S(0)), S(1)));
-    return lobes_by_weight(material.loss.alpha, reflected * (S(1) - lost), reflected * lost);
+    return detail::kulla_conty_lobes(material.f0, material.loss.alpha, lost, n_dot_v);
 }
 
 } // namespace gonio::shading

@@ -27,14 +27,15 @@ public:
     DiskSampler(vec3<S> center, vec3<S> axis, S radius) {
         vec3<S> w = axis * S(-1);
         S z = dot(w, center);
-        if (z < S(0)) w = axis;
+        w = select(z < S(0), axis, w);
         z = simd::abs(z); // makes −0 positive too
         const vec3<S> flat = center - w * z;
         const S x = length(flat);
         // Near the axis the remaining component along the disk is rounding error, and may not lie in the disk.
         const vec3<S> way = normalized(flat);
         const vec3<S> in_plane = way - w * dot(w, way);
-        const vec3<S> u = length(in_plane) > S(0.5) ? normalized(in_plane) : detail::Across<S>(w).x;
+        const vec3<S> u = detail::chosen(
+            length(in_plane) > S(0.5), [&] { return normalized(in_plane); }, [&] { return detail::Across<S>(w).x; });
         short_ = cross(w, u);
         // The rim's nearest and farthest point in the plane of w and u, and their bisector. Inside the rim their
         // components along u have opposite signs and cancel; the remaining sum is computed over z.
@@ -43,9 +44,13 @@ public:
         const S far_length = simd::sqrt(far * far + z * z);
         const S near_length = simd::sqrt(near * near + z * z);
         const S both = far_length + near_length;
-        axis_ = near < S(0)
-                    ? normalized(u * (S(4) * x * radius * z / (far * near_length - near * far_length)) + w * both)
-                    : normalized(u * (far * near_length + near * far_length) + w * (z * both));
+        const auto over = near < S(0);
+        axis_ = detail::chosen(
+            over,
+            [&] {
+                return normalized(u * (S(4) * x * radius * z / (far * near_length - near * far_length)) + w * both);
+            },
+            [&] { return normalized(u * (far * near_length + near * far_length) + w * (z * both)); });
         long_ = cross(short_, axis_);
         // Sine and cosine of the angle between the two, times the product h of the lengths. The axis meets the disk
         // where it divides the chord in the ratio of the lengths, so h also gives the half chord across it: a = tan of
@@ -54,18 +59,22 @@ public:
         const S cosine = near * far + z * z;
         const S h = far_length * near_length;
         const S root2_r = S(std::numbers::sqrt2) * radius;
-        a_ = simd::min(cosine < S(0) ? (h - cosine) / sine : sine / (h + cosine), widest);
-        b_ = simd::min(cosine < S(0) ? root2_r * simd::sqrt(h - cosine) / sine : root2_r / simd::sqrt(h + cosine),
-                       widest);
-        seen_ = (z > S(0) || near < S(0)) && a_ * b_ > least_seen;
-        if (!seen_) {
-            axis_ = normalized(center);
-            return;
-        }
+        const auto wide = cosine < S(0);
+        a_ = detail::chosen(
+            wide, [&] { return (h - cosine) / sine; }, [&] { return sine / (h + cosine); });
+        b_ = detail::chosen(
+            wide, [&] { return root2_r * simd::sqrt(h - cosine) / sine; },
+            [&] { return root2_r / simd::sqrt(h + cosine); });
+        a_ = simd::min(a_, S(widest));
+        b_ = simd::min(b_, S(widest));
+        seen_ = simd::both(simd::either(z > S(0), over), a_ * b_ > S(least_seen));
+        axis_ = detail::chosen(
+            seen_, [&] { return axis_; }, [&] { return normalized(center); });
+        if (!simd::any(seen_)) return;
         kappa_ = simd::sqrt(wedge_of(b_ * b_) / wedge_of(a_ * a_));
         S sum = S(0);
         for (std::size_t i = 0; i < steps; ++i) {
-            sum += wedge(direction_of((S(static_cast<double>(i)) + S(0.5)) / S(static_cast<double>(steps))));
+            sum = sum + wedge(direction_of((S(static_cast<double>(i)) + S(0.5)) / S(static_cast<double>(steps))));
             up_to_[i] = sum;
         }
         for (S& share : up_to_)
@@ -74,54 +83,64 @@ public:
 
     // Where nothing is seen, the density is 0 and the direction is that to the centre.
     LightSample<S> sample(S u0, S u1) const {
-        if (!seen_) return {axis_, S(0)};
+        if (!simd::any(seen_)) return {axis_, S(0)};
         // Chooses a quarter, then a step of it.
         const S four = S(4) * u0;
-        const S quarter = four < S(1) ? S(0) : four < S(2) ? S(1) : four < S(3) ? S(2) : S(3);
-        const S u = four - quarter;
-        std::size_t i = 0;
-        while (i + 1 < steps && u >= up_to_[i])
-            ++i;
-        const S before = i > 0 ? up_to_[i - 1] : S(0);
-        const S within = simd::min((u - before) / share(i), S(1));
-        const Turned at = direction_of((S(static_cast<double>(i)) + within) / S(static_cast<double>(steps)));
+        const auto in_first = four < S(1);
+        const auto in_left = simd::both(!in_first, four < S(3)); // the second or the third
+        const auto in_lower = !(four < S(2));                    // the third or the fourth
+        const S upper = simd::select(in_first, S(0), S(1));
+        const S lower = simd::select(four < S(3), S(2), S(3));
+        const S u = four - simd::select(in_lower, lower, upper);
+        const Step step = step_where([&](std::size_t i) { return u >= up_to_[i]; });
+        const S within = simd::min((u - step.before) / step.share, S(1));
+        const Turned at = direction_of((step.place + within) / S(static_cast<double>(steps)));
         // Mirrored into its quarter.
-        const S c = quarter == S(1) || quarter == S(2) ? -at.c : at.c;
-        const S s = quarter > S(1) ? -at.s : at.s;
+        const S c = simd::select(in_left, -at.c, at.c);
+        const S s = simd::select(in_lower, -at.s, at.s);
         const S rho2 = square(a_ * c) + square(b_ * s);
         const S fallen = u1 * fall(rho2);
         const S left = S(1) - fallen;
-        const S r = rho2 > S(0) ? simd::sqrt(simd::max(fallen * (S(2) - fallen) / rho2, S(0))) / left : S(0);
-        return {normalized(axis_ + long_ * (a_ * c * r) + short_ * (b_ * s * r)), density(i, at)};
+        const auto is_wide = rho2 > S(0);
+        const S r2 = fallen * (S(2) - fallen) / simd::select(is_wide, rho2, S(1));
+        const S r = simd::select(is_wide, simd::sqrt(simd::max(r2, S(0))) / left, S(0));
+        const vec3<S> direction = normalized(axis_ + long_ * (a_ * c * r) + short_ * (b_ * s * r));
+        return select(seen_, LightSample<S>{direction, density(step.share, at)}, LightSample<S>{axis_, S(0)});
     }
 
     S pdf(vec3<S> direction) const {
-        if (!seen_) return S(0);
+        if (!simd::any(seen_)) return S(0);
         const S along = dot(direction, axis_);
-        if (!(along > S(0))) return S(0);
+        const auto ahead = simd::both(seen_, along > S(0));
+        if (!simd::any(ahead)) return S(0);
         const S c = dot(direction, long_) / (a_ * along);
         const S s = dot(direction, short_) / (b_ * along);
         const S r2 = c * c + s * s;
-        if (!(r2 <= S(1))) return S(0);
+        const auto within = simd::both(ahead, r2 <= S(1));
+        if (!simd::any(within)) return S(0);
         const S psi = simd::atan2(simd::abs(s), kappa_ * simd::abs(c));
         const S at = psi * S(2.0 * std::numbers::inv_pi) * S(static_cast<double>(steps));
-        std::size_t i = 0;
-        while (i + 1 < steps && at >= S(static_cast<double>(i + 1)))
-            ++i;
-        if (!(r2 > S(0))) return density(0, {S(1), S(0)});
-        const S inverse = S(1) / simd::sqrt(r2);
-        return density(i, {c * inverse, s * inverse});
+        const auto off_axis = r2 > S(0);
+        const Step step =
+            step_where([&](std::size_t i) { return simd::both(off_axis, at >= S(static_cast<double>(i + 1))); });
+        const S inverse = S(1) / simd::sqrt(simd::select(off_axis, r2, S(1)));
+        const Turned turned{simd::select(off_axis, c * inverse, S(1)), simd::select(off_axis, s * inverse, S(0))};
+        return simd::select(within, density(step.share, turned), S(0));
     }
 
 private:
     static constexpr std::size_t steps = 16; // per quarter
     // Limit of a and b: cuts off a share of 1/widest of a hemisphere.
-    static constexpr S widest = __is_same(S, double) ? S(1e12) : S(1e6);
+    static constexpr double widest = __is_same(S, double) ? 1e12 : 1e6;
     // Limit of a b, below which densities would overflow.
-    static constexpr S least_seen = __is_same(S, double) ? S(1e-280) : S(1e-30);
+    static constexpr double least_seen = __is_same(S, double) ? 1e-280 : 1e-30;
 
     struct Turned {
         S c, s; // of φ
+    };
+    // A step of a quarter: the share of the quarter before it, its own share, and its place.
+    struct Step {
+        S before, share, place;
     };
 
     static S square(S x) { return x * x; }
@@ -147,15 +166,27 @@ private:
     S wedge(Turned at) const {
         return wedge_of(square(a_ * at.c) + square(b_ * at.s)) * (square(kappa_ * at.c) + square(at.s)) / kappa_;
     }
-    S share(std::size_t i) const { return i > 0 ? up_to_[i] - up_to_[i - 1] : up_to_[0]; }
-    S density(std::size_t i, Turned at) const {
-        const S per_radian = share(i) * S(static_cast<double>(steps)) * S(0.5 * std::numbers::inv_pi);
+    // The step that follows all those that `is_before` holds for, or the last one.
+    template<class IsBefore>
+    Step step_where(const IsBefore& is_before) const {
+        Step step{S(0), up_to_[0], S(0)};
+        for (std::size_t i = 0; i + 1 < steps; ++i) {
+            const auto passed = is_before(i);
+            if (simd::all(!passed)) break; // the shares ascend
+            step.before = simd::select(passed, up_to_[i], step.before);
+            step.share = simd::select(passed, up_to_[i + 1] - up_to_[i], step.share);
+            step.place = simd::select(passed, S(static_cast<double>(i + 1)), step.place);
+        }
+        return step;
+    }
+    S density(S share, Turned at) const {
+        const S per_radian = share * S(static_cast<double>(steps)) * S(0.5 * std::numbers::inv_pi);
         return per_radian / (a_ * b_ * wedge(at));
     }
 
     vec3<S> axis_, long_, short_;
     S a_, b_, kappa_;
-    bool seen_; // if false, only axis_ is meaningful
+    simd::mask_of<S> seen_; // if false, only axis_ is meaningful
     S up_to_[steps];
 };
 

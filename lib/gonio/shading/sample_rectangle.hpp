@@ -16,15 +16,16 @@
 
 namespace gonio::shading {
 
-template<class S>
+// `Digits` is the number that limits are made for: RectangleSampler<double, float> chooses its map as floats do.
+template<class S, class Digits = S>
 class RectangleSampler {
 public:
     // Either side: the receiver is in front of the side it sees; in the plane, of the emitting side. `width_direction`
     // is perpendicular to the axis.
     RectangleSampler(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height)
         : x_(width_direction), y_(cross(axis, width_direction)), z_(axis) {
-        if (dot(center, z_) > S(0)) z_ = z_ * S(-1); // the frame may be left-handed; only lengths matter in it
-        z0_ = -simd::abs(dot(center, z_));           // ≤ 0
+        z_ = select(dot(center, z_) > S(0), z_ * S(-1), z_); // the frame may be left-handed; only lengths matter in it
+        z0_ = -simd::abs(dot(center, z_));                   // ≤ 0
         const S cx = dot(center, x_);
         const S cy = dot(center, y_);
         x0_ = cx - S(0.5) * width;
@@ -41,24 +42,90 @@ public:
         b1_ = y1_ / simd::sqrt(y1_ * y1_ + z0_ * z0_);
         // 2π minus the angles at the two corners of x0.
         k_ = S(std::numbers::pi) + corner(x0_, y1_) - corner(x0_, y0_);
-        const bool over = x0_ < S(0) && x1_ > S(0) && y0_ < S(0) && y1_ > S(0);
+        const auto over = simd::both(simd::both(x0_<S(0), x1_> S(0)), simd::both(y0_<S(0), y1_> S(0)));
         const S reach = simd::max(simd::max(x1_, -x0_), simd::max(y1_, -y0_));
-        if (over && !(solid_angle_ < most_even))
-            map_ = Map::about_the_foot;
-        else if (!(far > least_slope * reach))
-            map_ = Map::nothing;
-        else
-            map_ = solid_angle_ > least_even && solid_angle_ < most_even ? Map::even : Map::by_area;
+        const auto part = solid_angle_ < S(most_even); // of the half of the sky
+        about_foot_ = simd::both(over, !part);
+        nothing_ = simd::both(!about_foot_, !(far > S(least_slope) * reach));
+        even_ = simd::both(simd::both(solid_angle_ > S(least_even), part), !nothing_);
     }
 
     // The rectangle's solid angle, accurate to about the last digits of 2π.
     S solid_angle() const { return solid_angle_; }
+    // How often it is to be chosen among several lights: the solid angle, and where that has lost its digits, the area
+    // times the cosine over the squared distance of its middle.
+    S weight() const {
+        const auto by_middle = [&] {
+            const S x = S(0.5) * (x0_ + x1_);
+            const S y = S(0.5) * (y0_ + y1_);
+            const S d2 = simd::max(x * x + y * y + z0_ * z0_, S(1e-30));
+            return simd::min(area_ * -z0_ / (d2 * simd::sqrt(d2)), S(2.0 * std::numbers::pi));
+        };
+        return detail::chosen(
+            solid_angle_ > S(least_even), [&] { return solid_angle_; }, by_middle);
+    }
 
     // Where nothing is seen, the density is 0 and the direction is that to the middle.
     LightSample<S> sample(S u0, S u1) const {
-        if (map_ == Map::nothing) return {normalized(x_ * (S(0.5) * (x0_ + x1_)) + y_ * (S(0.5) * (y0_ + y1_))), S(0)};
-        if (map_ == Map::about_the_foot) return about_the_foot(u0, u1);
-        if (map_ == Map::by_area) return by_area(x0_ + u0 * (x1_ - x0_), y0_ + u1 * (y1_ - y0_));
+        const auto not_over = [&] {
+            return detail::chosen(
+                even_, [&] { return by_solid_angle(u0, u1); },
+                [&] { return by_area(x0_ + u0 * (x1_ - x0_), y0_ + u1 * (y1_ - y0_)); });
+        };
+        const auto seen = [&] {
+            return detail::chosen(
+                about_foot_, [&] { return about_the_foot(u0, u1); }, not_over);
+        };
+        return detail::chosen(
+            nothing_,
+            [&] {
+                return LightSample<S>{to_middle(), S(0)};
+            },
+            seen);
+    }
+
+    simd::mask_of<S> contains(vec3<S> direction) const {
+        const S down = dot(direction, z_);
+        const auto ahead = simd::both(down < S(0), !nothing_);
+        const S t = z0_ / simd::select(ahead, down, S(-1));
+        const S x = dot(direction, x_) * t;
+        const S y = dot(direction, y_) * t;
+        const auto within = simd::both(simd::both(x >= x0_, x <= x1_), simd::both(y >= y0_, y <= y1_));
+        return simd::both(ahead, within);
+    }
+
+    S pdf(vec3<S> direction) const {
+        const auto by_foot = [&] {
+            const S x = dot(direction, x_);
+            const S y = dot(direction, y_);
+            const S across = simd::sqrt(x * x + y * y);
+            const auto aside = across > S(0);
+            const S safe = simd::select(aside, across, S(1));
+            return foot_pdf(fall(simd::select(aside, x / safe, S(1)), simd::select(aside, y / safe, S(0))));
+        };
+        const auto at_place = [&] {
+            const S t = z0_ / dot(direction, z_);
+            return area_pdf(t * t, direction);
+        };
+        const auto within = [&] {
+            return detail::chosen(
+                even_, [&] { return S(1) / solid_angle_; },
+                [&] { return detail::chosen(about_foot_, by_foot, at_place); });
+        };
+        return detail::chosen(contains(direction), within, [] { return S(0); });
+    }
+
+private:
+    static constexpr bool is_double = __is_same(Digits, double);
+    // Above it, the cancellation error of the solid angle is below 1e-3 of it in float, 1e-7 in double.
+    static constexpr double least_even = is_double ? 1e-8 : 3e-4;
+    static constexpr double most_even = 6.22;
+    // Limit of the height over the plane relative to the distance along it, below which densities would overflow.
+    static constexpr double least_slope = is_double ? 1e-280 : 1e-30;
+
+    vec3<S> to_middle() const { return normalized(x_ * (S(0.5) * (x0_ + x1_)) + y_ * (S(0.5) * (y0_ + y1_))); }
+
+    LightSample<S> by_solid_angle(S u0, S u1) const {
         const S turn = u0 * solid_angle_ + k_;
         const S fu = (simd::cos(turn) * b0_ - b1_) / simd::sin(turn);
         const S cu = simd::min(simd::max(simd::copysign(S(1) / simd::sqrt(fu * fu + b0_ * b0_), fu), S(-1)), S(1));
@@ -72,37 +139,6 @@ public:
         const S y = simd::min(simd::max(h * simd::sqrt(d2 / rest), y0_), y1_);
         return {normalized(x_ * x + y_ * y + z_ * z0_), S(1) / solid_angle_};
     }
-
-    bool contains(vec3<S> direction) const {
-        const S down = dot(direction, z_);
-        if (!(down < S(0)) || map_ == Map::nothing) return false;
-        const S t = z0_ / down;
-        const S x = dot(direction, x_) * t;
-        const S y = dot(direction, y_) * t;
-        return x >= x0_ && x <= x1_ && y >= y0_ && y <= y1_;
-    }
-
-    S pdf(vec3<S> direction) const {
-        if (!contains(direction)) return S(0);
-        if (map_ == Map::even) return S(1) / solid_angle_;
-        if (map_ == Map::about_the_foot) {
-            const S x = dot(direction, x_);
-            const S y = dot(direction, y_);
-            const S across = simd::sqrt(x * x + y * y);
-            return across > S(0) ? foot_pdf(fall(x / across, y / across)) : foot_pdf(fall(S(1), S(0)));
-        }
-        const S t = z0_ / dot(direction, z_);
-        return area_pdf(t * t, direction);
-    }
-
-private:
-    // Above it, the cancellation error of the solid angle is below 1e-3 of it in float, 1e-7 in double.
-    static constexpr S least_even = __is_same(S, double) ? S(1e-8) : S(3e-4);
-    static constexpr S most_even = S(6.22);
-    // Limit of the height over the plane relative to the distance along it, below which densities would overflow.
-    static constexpr S least_slope = __is_same(S, double) ? S(1e-280) : S(1e-30);
-
-    enum class Map { even, by_area, about_the_foot, nothing };
 
     S area_pdf(S distance2, vec3<S> direction) const {
         return distance2 / (area_ * simd::max(-dot(direction, z_), S(1e-30)));
@@ -118,12 +154,13 @@ private:
     S fall(S c, S s) const {
         S edge2 = S(-1); // squared distance to the edge
         const auto nearer = [&](S to, S along) {
-            if (along == S(0)) return;
-            const S way = to / along;
-            if (edge2 < S(0) || way * way < edge2) edge2 = way * way;
+            const auto meets = !(along == S(0));
+            const S way = to / simd::select(meets, along, S(1));
+            const auto is_nearer = simd::either(edge2 < S(0), way * way < edge2);
+            edge2 = simd::select(simd::both(meets, is_nearer), way * way, edge2);
         };
-        nearer(c > S(0) ? x1_ : x0_, c);
-        nearer(s > S(0) ? y1_ : y0_, s);
+        nearer(simd::select(c > S(0), x1_, x0_), c);
+        nearer(simd::select(s > S(0), y1_, y0_), s);
         const S slant = simd::sqrt(edge2 + z0_ * z0_);
         return edge2 / (slant * (slant - z0_));
     }
@@ -144,7 +181,8 @@ private:
     S x0_, x1_, y0_, y1_, z0_;
     S area_, solid_angle_;
     S b0_, b1_, k_;
-    Map map_;
+    // Which map: about the foot, evenly over the solid angle, or, if none of the three, by area.
+    simd::mask_of<S> about_foot_, nothing_, even_;
 };
 
 } // namespace gonio::shading

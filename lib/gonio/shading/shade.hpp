@@ -14,6 +14,7 @@
 #include <gonio/shading/reflect.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/shading/vec3.hpp>
+#include <gonio/simd/loop.hpp>
 #include <gonio/simd/math.hpp>
 
 #include <numbers>
@@ -62,9 +63,14 @@ GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, con
             const S cosine = simd::max(dot(n, l), S(0));
             const S weight = strength * inverse * inverse * (inverse * cosine);
             const Reflected<S> value = scattered(point, material, l);
-            sum.diffuse = sum.diffuse + value.diffuse * weight;
-            sum.specular = sum.specular + value.specular * weight;
-            weights = weights + weight;
+            const auto add = [&](vec3<S> & total, vec3<S> term) __attribute__((always_inline)) {
+                simd::accumulate(total.x, term.x);
+                simd::accumulate(total.y, term.y);
+                simd::accumulate(total.z, term.z);
+            };
+            add(sum.diffuse, value.diffuse * weight);
+            add(sum.specular, value.specular * weight);
+            simd::accumulate(weights, weight);
         });
         const auto known = weights > S(1e-30);
         const S inverse = S(1) / simd::select(known, weights, S(1));
