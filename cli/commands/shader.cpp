@@ -34,6 +34,7 @@ constexpr std::array examples{
     Example{"gonio shader --light tube --method exact,ue4 --lang msl", "an approximation next to the exact form"},
     Example{"gonio shader --material gltf --lang glsl-es300", "a BRDF"},
     Example{"gonio shader --light point --material frostbite", "what it reflects of a point light"},
+    Example{"gonio shader --light rect,tube --what sample,pdf", "random directions towards lights"},
     Example{"gonio shader --light rect,tube --material ggx --method ltc --what irradiance,shade",
             "both parts of what a surface reflects"},
     Example{"gonio shader --shadow-of capsule", "ambient occlusion by a capsule"},

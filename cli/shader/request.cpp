@@ -86,8 +86,11 @@ bool any_formula(const auto& condition) {
 }
 
 // With several kinds of results each takes those options that it has: irradiance has no material. Of the methods, a
-// kind takes those that it has for this light and material, and its usual one if it has none of them.
-std::optional<ShaderFormula> fitting(ShaderFormula asked, const Values& methods) {
+// kind takes those that it has for this light and material, and its usual one if it has none of them. Directions are
+// drawn for a light or for a material.
+std::vector<ShaderFormula> fitting(ShaderFormula asked, const Values& methods) {
+    if ((asked.what == "sample" || asked.what == "pdf") && !asked.light.empty() && !asked.material.empty())
+        return {{asked.what, asked.light, {}, {}, {}}, {asked.what, {}, {}, asked.material, {}}};
     for (const Part& part : parts)
         if (!any_formula([&](const ShaderFormula& formula) {
                 return formula.what == asked.what && !(formula.*part.member).empty();
@@ -98,10 +101,10 @@ std::optional<ShaderFormula> fitting(ShaderFormula asked, const Values& methods)
         with.method = method;
         return any_formula([&](const ShaderFormula& formula) { return answers(formula, with); });
     };
-    if (is_answered(asked.method)) return asked;
-    if (std::any_of(methods.begin(), methods.end(), is_answered)) return std::nullopt; // another serves this kind
+    if (is_answered(asked.method)) return {asked};
+    if (std::any_of(methods.begin(), methods.end(), is_answered)) return {}; // another serves this kind
     asked.method = {};
-    return asked;
+    return {asked};
 }
 
 // What is asked for and no printed function has.
@@ -193,13 +196,15 @@ Result<ShaderRequest> shader_request(const Arguments& arguments) {
                 for (const std::string_view material : chosen[2])
                     for (const std::string_view shadow_of : chosen[3]) {
                         const ShaderFormula asked{what, light, method, material, shadow_of};
-                        const std::optional<ShaderFormula> fits = whats.size() > 1 ? fitting(asked, chosen[1]) : asked;
-                        if (!fits) continue;
-                        Result<std::size_t> place = find_formula(*fits);
-                        if (!place) return pass_on(place);
-                        if (std::find(request.formulas.begin(), request.formulas.end(), *place) ==
-                            request.formulas.end())
-                            request.formulas.push_back(*place);
+                        const std::vector<ShaderFormula> fits =
+                            whats.size() > 1 ? fitting(asked, chosen[1]) : std::vector{asked};
+                        for (const ShaderFormula& each : fits) {
+                            Result<std::size_t> place = find_formula(each);
+                            if (!place) return pass_on(place);
+                            if (std::find(request.formulas.begin(), request.formulas.end(), *place) ==
+                                request.formulas.end())
+                                request.formulas.push_back(*place);
+                        }
                     }
     if (auto error = ignored(request, chosen)) return *error;
     return request;

@@ -3,6 +3,7 @@
 #include <gonio/shader/exact_irradiance.hpp>
 #include <gonio/shader/formulas.hpp>
 #include <gonio/shader/highlights.hpp>
+#include <gonio/shader/light_sampling.hpp>
 #include <gonio/shader/parameters.hpp>
 // After the recording scalar.
 #include <gonio/shading/brdf_blinn.hpp>
@@ -10,6 +11,7 @@
 #include <gonio/shading/brdf_frostbite.hpp>
 #include <gonio/shading/brdf_ggx.hpp>
 #include <gonio/shading/brdf_gltf.hpp>
+#include <gonio/shading/brdf_kulla_conty.hpp>
 #include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_ue4.hpp>
 #include <gonio/shading/falloff.hpp>
@@ -134,6 +136,37 @@ core::Blinn<S> blinn(Function& f) {
 core::Ggx<S> ggx(Function& f) {
     const Vector f0 = color_of(f, "f0", "[0, 1], reflectance at normal incidence");
     return {f0, share_of(f, "alpha", "[0, 1], the square of a roughness")};
+}
+
+// Kulla and Conty's material for one pair of directions, with numbers of a table (`gonio bake --table kulla-conty`) in
+// the place of its polynomials. The core finds the functions below by their argument.
+template<class T>
+struct LookedUpKullaConty {
+    core::Ggx<T> single; // what is scattered once
+    T loss_of_light, loss_of_view, mean_loss;
+};
+template<class T>
+core::vec3<T> diffuse_part(const LookedUpKullaConty<T>& of, core::vec3<T> n, core::vec3<T> l, core::vec3<T> v) {
+    return core::diffuse_part(of.single, n, l, v);
+}
+template<class T>
+core::vec3<T> specular_part(const LookedUpKullaConty<T>& of, core::vec3<T> n, core::vec3<T> l, core::vec3<T> v,
+                            T widening) {
+    return core::specular_part(of.single, n, l, v, widening) +
+           core::detail::wide_lobe(
+               core::multiple_scattering_factor(of.single.f0, of.mean_loss), n, l, v,
+               [&](T /*n_dot_l*/) { return of.loss_of_light; }, [&](T /*n_dot_v*/) { return of.loss_of_view; });
+}
+template<class T>
+core::Lobes<T> lobes(const LookedUpKullaConty<T>& of, T n_dot_v) {
+    return core::detail::kulla_conty_lobes(of.single.f0, of.single.alpha, of.loss_of_view, n_dot_v);
+}
+LookedUpKullaConty<S> kulla_conty(Function& f) {
+    const core::Ggx<S> single = ggx(f);
+    const S of_light = share_of(f, "albedo_light", "albedo of the table at n.l and the roughness");
+    const S of_view = share_of(f, "albedo_view", "albedo of the table at n.v and the roughness");
+    const S mean = share_of(f, "mean_albedo", "mean_albedo of the table at the roughness");
+    return {single, S(1) - of_light, S(1) - of_view, S(1) - mean};
 }
 
 // GGX with a grain: f of red, green and blue.
@@ -429,6 +462,35 @@ constexpr Formula shade_area_row(std::string_view light, std::string_view functi
             "nearer to the light than a tenth of its size",
             record};
 }
+constexpr Formula light_sample_row(std::string_view light, std::string_view function, std::string_view title,
+                                   std::string_view source, ShaderError error, void (*record)(Function&)) {
+    return {{"sample", light, {}, {}, {}},
+            function,
+            title,
+            "a direction, as long as 1/pdf [sr]: the mean of f(l) * length over many of them is the integral of f over "
+            "the light's solid angle; 0 where none of it is seen",
+            source,
+            error,
+            "each component + 0.1 * (square of the angle [rad] that the light subtends), where the last digits of the "
+            "random numbers do not choose another part of the light",
+            error.near > error.apart ? "nearer to the light than a tenth of its size" : "",
+            record};
+}
+constexpr Formula light_density_row(std::string_view light, std::string_view function, std::string_view title,
+                                    std::string_view source, ShaderError error, void (*record)(Function&)) {
+    return {{"pdf", light, {}, {}, {}},
+            function,
+            title,
+            "the density [1/sr] of that direction, and 0 where it misses the light",
+            source,
+            error,
+            light == "disk" || light == "rect"
+                ? "the density, at least 0.01 rad off the light's plane and where the last digits of the direction do "
+                  "not decide whether it meets the light"
+                : "the density, where the last digits of the direction do not decide whether it meets the light",
+            error.near > error.apart ? "nearer to the light than a tenth of its size" : "",
+            record};
+}
 constexpr Formula roughness_row(std::string_view material, std::string_view function, std::string_view title,
                                 std::string_view source, double error, void (*record)(Function&)) {
     return {{"roughness", {}, {}, material, {}},
@@ -466,15 +528,41 @@ constexpr std::string_view eon_paper = "Portsmouth, Kutz and Hill, EON, JCGT 14(
 constexpr std::string_view remember_me = "Lagarde and Harduin, The Art of Remember Me, 2013";
 constexpr std::string_view heitz = "Heitz, JCGT 3(2), 2014; Schlick 1994";
 
+constexpr std::string_view kulla_and_conty =
+    "Kulla and Conty, Revisiting Physically Based Shading at Imageworks, 2017. Albedos: gonio bake --table kulla-conty";
+constexpr std::string_view visible_normals_or_cosine = "Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical "
+                                                       "Caps, 2023, and cosine sampling. albedo_view: gonio "
+                                                       "bake --table kulla-conty";
+
 constexpr std::string_view by_rows =
     "the lobe summed over rows of points that the transformed cosine of Heitz et al., ACM TOG 35(4), 2016, places, and "
     "corrected by its exact share. leaning and reflected: gonio bake --table ltc-ggx";
+constexpr std::string_view exact_and_by_rows =
+    "the diffuse part by the exact irradiance; the lobe summed over rows of points that the transformed cosine of "
+    "Heitz "
+    "et al., ACM TOG 35(4), 2016, places, and corrected by its exact share. leaning and reflected: gonio bake --table "
+    "ltc-ggx";
+constexpr std::string_view mean_and_by_rows = "the diffuse part by the exact irradiance and the mean of its factor "
+                                              "over points of the light; the lobe summed over "
+                                              "rows of points that the transformed cosine of Heitz et al., ACM TOG "
+                                              "35(4), 2016, places, and corrected by its exact "
+                                              "share. leaning and reflected: gonio bake --table ltc-ggx";
 constexpr std::string_view by_stretched_rows =
     "the lobe summed over rows of points that a transformed cosine places: that of the isotropic lobe as wide in the "
     "plane of normal and view, stretched and sheared. leaning and reflected: gonio bake --table ltc-ggx";
 constexpr std::string_view by_share =
     "Heitz et al., ACM TOG 35(4), 2016; the lobe keeps its sign, the light is clipped once, and points of the light "
     "correct it. leaning and reflected: gonio bake --table ltc-ggx";
+
+constexpr std::string_view uniform_cone = "Uniform in the solid angle of the cone";
+constexpr std::string_view urena = "Urena, Fajardo and King, An Area-Preserving Parametrization for Spherical "
+                                   "Rectangles, Computer Graphics Forum 32(4), 2013; far ones by area";
+constexpr std::string_view spherical_ellipse =
+    "uniform along the radius of the spherical ellipse, and within a few percent around it, by a table of 16 steps; "
+    "after Guillen et al., Area-Preserving Parameterizations for Spherical Ellipses, Computer Graphics Forum 36(4), "
+    "2017";
+constexpr std::string_view tube_parts =
+    "a mixture of its ends' cones and of the rectangle between the lines where the tangent planes touch";
 
 constexpr std::string_view visible_normals =
     "Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023";
@@ -559,6 +647,9 @@ constexpr std::array all{
     brdf_row("ggx-anisotropic", "ggx_anisotropic_brdf",
              "GGX that is rougher along one direction of the surface than across it.", heitz, 3e-5,
              brdf<ggx_anisotropic>),
+    brdf_row("kulla-conty", "kulla_conty_brdf",
+             "GGX with the light that is scattered several times between its facets, by Kulla and Conty.",
+             kulla_and_conty, 4e-5, brdf<kulla_conty>),
     sample_row("lambert", "lambert_sample", "A direction to the light for the BRDF of Lambert, by importance.",
                "Cosine sampling", 5e-6, sample<lambert>),
     density_row("lambert", "lambert_pdf", "The density of the directions of lambert_sample.", "Cosine sampling", 2e-7,
@@ -594,6 +685,11 @@ constexpr std::array all{
                sample<ggx_anisotropic>),
     density_row("ggx-anisotropic", "ggx_anisotropic_pdf", "The density of the directions of ggx_anisotropic_sample.",
                 visible_normals, 8e-6, density<ggx_anisotropic>),
+    sample_row("kulla-conty", "kulla_conty_sample",
+               "A direction to the light for the BRDF of Kulla and Conty, by importance.", visible_normals_or_cosine,
+               1e-4, sample<kulla_conty>),
+    density_row("kulla-conty", "kulla_conty_pdf", "The density of the directions of kulla_conty_sample.",
+                visible_normals_or_cosine, 2e-6, density<kulla_conty>),
     shade_point_row("lambert", "point_shade_lambert", "A Lambert surface under a point light.", "Lambert 1760", 5e-7,
                     shade_punctual<Punctual, lambert>),
     shade_point_row("eon", "point_shade_eon", "An EON surface under a point light.", eon_paper, 3e-6,
@@ -610,6 +706,9 @@ constexpr std::array all{
                     shade_punctual<Punctual, ggx>),
     shade_point_row("ggx-anisotropic", "point_shade_ggx_anisotropic", "An anisotropic GGX surface under a point light.",
                     heitz, 7e-6, shade_punctual<Punctual, ggx_anisotropic>),
+    shade_point_row("kulla-conty", "point_shade_kulla_conty",
+                    "GGX with light scattered several times under a point light.", kulla_and_conty, 4e-5,
+                    shade_punctual<Punctual, kulla_conty>),
     shade_spot_row("lambert", "spot_shade_lambert", "A Lambert surface under a spot that fades as in Frostbite.",
                    "Lambert 1760", 5e-6, shade_punctual<Spot, lambert>),
     shade_spot_row("eon", "spot_shade_eon", "An EON surface under a spot that fades as in Frostbite.", eon_paper, 4e-6,
@@ -627,6 +726,9 @@ constexpr std::array all{
     shade_spot_row("ggx-anisotropic", "spot_shade_ggx_anisotropic",
                    "An anisotropic GGX surface under a spot that fades as in Frostbite.", heitz, 2e-5,
                    shade_punctual<Spot, ggx_anisotropic>),
+    shade_spot_row("kulla-conty", "spot_shade_kulla_conty",
+                   "GGX with light scattered several times under a spot that fades as in Frostbite.", kulla_and_conty,
+                   5e-6, shade_punctual<Spot, kulla_conty>),
     shade_area_row("sphere", "sphere_shade_lambert", "A Lambert surface under a uniform sphere, exact.", snyder,
                    {3e-7, 4e-6}, shade_lambert<Sphere, sphere_stages>),
     shade_area_row("disk", "disk_shade_lambert", "A Lambert surface under a uniform one-sided disk, exact.",
@@ -688,8 +790,52 @@ constexpr std::array all{
     ltc_row("tube", "ltc", "ggx-anisotropic", "tube_shade_ggx_anisotropic_ltc",
             "An anisotropic GGX surface under a uniform tube.", by_stretched_rows, {7e-3, 2e-2},
             highlight_anisotropic<Tube>),
+    ltc_row("sphere", "ltc", "ue4", "sphere_shade_ue4_ltc", "Unreal Engine 4's material under a uniform sphere.",
+            exact_and_by_rows, {2e-4, 2e-4}, shade_ltc<Sphere, sphere_stages, ue4>),
+    ltc_row("disk", "ltc", "ue4", "disk_shade_ue4_ltc", "Unreal Engine 4's material under a uniform one-sided disk.",
+            exact_and_by_rows, {3e-3, 6e-3}, shade_ltc<Disk, disk_stages, ue4>),
+    ltc_row("rect", "ltc", "ue4", "rect_shade_ue4_ltc",
+            "Unreal Engine 4's material under a uniform one-sided rectangle.", exact_and_by_rows, {2e-5, 5e-4},
+            shade_ltc<Rectangle, rectangle_stages, ue4>),
+    ltc_row("tube", "ltc", "ue4", "tube_shade_ue4_ltc", "Unreal Engine 4's material under a uniform tube.",
+            exact_and_by_rows, {2e-4, 2e-4}, shade_ltc<Tube, tube_stages, ue4>),
+    ltc_row("sphere", "ltc", "gltf", "sphere_shade_gltf_ltc", "The material of glTF 2.0 under a uniform sphere.",
+            mean_and_by_rows, {2e-4, 4e-4}, shade_ltc<Sphere, sphere_stages, gltf>),
+    ltc_row("disk", "ltc", "gltf", "disk_shade_gltf_ltc", "The material of glTF 2.0 under a uniform one-sided disk.",
+            mean_and_by_rows, {6e-3, 4e-2}, shade_ltc<Disk, disk_stages, gltf>),
+    ltc_row("rect", "ltc", "gltf", "rect_shade_gltf_ltc",
+            "The material of glTF 2.0 under a uniform one-sided rectangle.", mean_and_by_rows, {3e-5, 8e-1},
+            shade_ltc<Rectangle, rectangle_stages, gltf>),
+    ltc_row("tube", "ltc", "gltf", "tube_shade_gltf_ltc", "The material of glTF 2.0 under a uniform tube.",
+            mean_and_by_rows, {1e-4, 2e-4}, shade_ltc<Tube, tube_stages, gltf>),
+    ltc_row("sphere", "ltc", "frostbite", "sphere_shade_frostbite_ltc", "Frostbite's material under a uniform sphere.",
+            mean_and_by_rows, {3e-4, 3e-4}, shade_ltc<Sphere, sphere_stages, frostbite>),
+    ltc_row("disk", "ltc", "frostbite", "disk_shade_frostbite_ltc",
+            "Frostbite's material under a uniform one-sided disk.", mean_and_by_rows, {4e-3, 2e-1},
+            shade_ltc<Disk, disk_stages, frostbite>),
+    ltc_row("rect", "ltc", "frostbite", "rect_shade_frostbite_ltc",
+            "Frostbite's material under a uniform one-sided rectangle.", mean_and_by_rows, {5e-5, 4e-3},
+            shade_ltc<Rectangle, rectangle_stages, frostbite>),
+    ltc_row("tube", "ltc", "frostbite", "tube_shade_frostbite_ltc", "Frostbite's material under a uniform tube.",
+            mean_and_by_rows, {3e-4, 3e-4}, shade_ltc<Tube, tube_stages, frostbite>),
     roughness_row("ggx-anisotropic", "ggx_anisotropic_roughness",
                   "Where an anisotropic lobe reads the table of isotropic ones.", heitz, 4e-7, anisotropic_roughness),
+    light_sample_row("sphere", "sphere_sample", "A random direction towards a sphere.", uniform_cone, {8e-6, 8e-6},
+                     sample_light<Sphere>),
+    light_density_row("sphere", "sphere_pdf", "The density of the directions of sphere_sample.", uniform_cone,
+                      {2e-6, 2e-6}, light_density<Sphere>),
+    light_sample_row("disk", "disk_sample", "A random direction towards either side of a disk.", spherical_ellipse,
+                     {7e-6, 7e-6}, sample_light<Disk>),
+    light_density_row("disk", "disk_pdf", "The density of the directions of disk_sample.", spherical_ellipse,
+                      {2e-5, 2e-5}, light_density<Disk>),
+    light_sample_row("rect", "rect_sample", "A random direction towards either side of a rectangle.", urena,
+                     {5e-4, 5e-4}, sample_light<Rectangle>),
+    light_density_row("rect", "rect_pdf", "The density of the directions of rect_sample.", urena, {1e-3, 1e-3},
+                      light_density<Rectangle>),
+    light_sample_row("tube", "tube_sample", "A random direction towards a tube with hemispherical ends.", tube_parts,
+                     {1e-4, 3e-3}, sample_light<Tube>),
+    light_density_row("tube", "tube_pdf", "The density of the directions of tube_sample.", tube_parts, {3e-3, 3e-3},
+                      light_density<Tube>),
     visibility_row("sphere", "sky_visibility_sphere", "What a sphere leaves of a uniform sky, exact.",
                    "1 - E/(pi L) of a sphere that emits L", {8e-7, 6e-6}, visibility<Sphere, sphere_stages>),
     visibility_row("capsule", "sky_visibility_capsule",

@@ -177,6 +177,12 @@ bool Graph::is_zero_vector(NodeId id) const {
            is_constant(node.arguments[1], 0.0) && is_constant(node.arguments[2], 0.0);
 }
 
+bool Graph::is_uniform(NodeId id) const {
+    const Node& node = nodes_[id];
+    return node.operation == Operation::pack && node.arguments[0] == node.arguments[1] &&
+           node.arguments[0] == node.arguments[2];
+}
+
 bool Graph::is_never_negative(NodeId id) const {
     const Node& node = nodes_[id];
     switch (node.operation) {
@@ -366,6 +372,14 @@ NodeId Graph::select(NodeId mask, NodeId if_true, NodeId if_false) {
 NodeId Graph::component(NodeId vector, std::uint8_t index) {
     if (nodes_[vector].operation == Operation::pack) return nodes_[vector].arguments[index];
     if (is_negated(vector)) return unary(Operation::negate, component(nodes_[vector].arguments[0], index));
+    // Of three equal numbers times a scalar: that product; of a choice between two such vectors: the choice.
+    const Node node = nodes_[vector];
+    if (node.operation == Operation::select && is_uniform(node.arguments[1]) && is_uniform(node.arguments[2]))
+        return select(node.arguments[0], nodes_[node.arguments[1]].arguments[0],
+                      nodes_[node.arguments[2]].arguments[0]);
+    if (node.operation == Operation::multiply && is_uniform(node.arguments[0]) &&
+        nodes_[node.arguments[1]].type == Type::scalar)
+        return binary(Operation::multiply, nodes_[node.arguments[0]].arguments[0], node.arguments[1]);
     return add({Operation::component, Type::scalar, index, {vector, no_node, no_node}, 0.0});
 }
 

@@ -157,6 +157,7 @@ private:
     Type joined(NodeId a, NodeId b) const;
     NodeId zero_like(NodeId a);
     bool is_zero_vector(NodeId id) const;
+    bool is_uniform(NodeId id) const; // a vector of three equal numbers
     bool is_free_scale(NodeId id) const { return is_constant(id) && nodes_[id].index != 0; }
     bool is_never_negative(NodeId id) const;
     bool is_negated(NodeId id) const { return nodes_[id].operation == Operation::negate; }

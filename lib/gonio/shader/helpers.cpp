@@ -150,6 +150,32 @@ Recorded reciprocal_or_zero(Recorded x) {
 
 } // namespace gonio::shader
 
+namespace gonio::simd {
+
+using shader::Helper;
+using shader::Recorded;
+
+namespace {
+
+Recorded call_unless_constant(Helper helper, float (*of)(float), Recorded x) {
+    const shader::Graph& graph = shader::Recording::graph();
+    if (graph.is_constant(x.node)) return Recorded(of(static_cast<float>(graph[x.node].number)));
+    return call(helper, x);
+}
+
+} // namespace
+
+Recorded sin(Recorded x) {
+    return call_unless_constant(
+        Helper::sine, [](float number) { return sin(number); }, x);
+}
+Recorded cos(Recorded x) {
+    return call_unless_constant(
+        Helper::cosine, [](float number) { return cos(number); }, x);
+}
+
+} // namespace gonio::simd
+
 namespace gonio::shading {
 
 using shader::Helper;

@@ -1,9 +1,12 @@
-// Highlights of lights with a size, recorded: a lobe summed over rows of points, or a share that points correct.
+// Highlights of lights with a size, recorded: a lobe summed over rows of points, or a share that points correct; and
+// materials whose lobe is such a highlight, with their diffuse part.
 #pragma once
 
 #include <gonio/shader/parameters.hpp>
 // After the recording scalar.
 #include <gonio/shading/anisotropic_lobe.hpp>
+#include <gonio/shading/brdf_frostbite.hpp>
+#include <gonio/shading/shade.hpp>
 #include <gonio/shading/specular_by_share.hpp>
 #include <gonio/shading/specular_ltc.hpp>
 
@@ -104,10 +107,10 @@ void label_points(Function& f, const Points& points, Vector v) {
 }
 
 // specular_ltc.hpp, in stages: nothing, points of the light, rows of points.
-template<class Light, template<class> class Lobe, class CosineOf>
-void rows_stages(Function& f, const Highlight<Light>& highlight, const Lobe<S>& lobe, const CosineOf& cosine_of) {
+template<class Highlight, template<class> class Lobe, class CosineOf>
+void rows_stages(Function& f, const Highlight& highlight, const Lobe<S>& lobe, const CosineOf& cosine_of) {
     using core::detail::CosineSum;
-    const Light& light = highlight.light;
+    const auto& light = highlight.light;
     const Vector view = highlight.view;
     const auto of = light.as_light();
     const auto pose_now = [&] { return core::detail::lobe_pose(of, light.to_center, light.normal, view, cosine_of); };
@@ -140,6 +143,67 @@ template<class Light>
 void highlight_ltc(Function& f) {
     const CosineHighlight<Light> of(f);
     rows_stages(f, of, of.lobe, of.cosine_of());
+}
+
+// Where a material's lobe reads the table.
+template<template<class> class Material>
+inline constexpr std::string_view place_of_lobe = "along, raised and across of the table at n.v and the roughness";
+template<>
+inline constexpr std::string_view place_of_lobe<core::Frostbite> =
+    "along, raised and across of the table at n.v and the roughness, which is 1 - smoothness";
+
+// A material with a GGX lobe under an area light.
+template<class Light, template<class> class Material>
+struct ShadedByLtc {
+    Light light;
+    Vector view;
+    Material<S> material;
+    Vector diffuse; // its luminance
+
+    Vector luminance(const core::SpecularLuminance<S>& found) const {
+        return diffuse + core::gloss(material)({found.scale, found.grazing});
+    }
+};
+
+// What depends on a point of the light in the mean of a diffuse factor (shade.hpp).
+template<class Light>
+void label_diffuse_points(Function& f, const Light& light) {
+    std::string_view note = "Points of the light, for the mean of the diffuse factor.";
+    core::detail::points_of(light.as_light(), core::detail::SameFrame{}, light.to_center)
+        .for_each([&](Vector p, S strength) {
+            f.label("to_point", p, note);
+            note = {}; // once: a tube has more of them outside its loop
+            const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-18)));
+            f.label("inverse_way", inverse);
+            f.label("toward", p * inverse);
+            const S cosine = simd::max(dot(light.normal, p * inverse), S(0));
+            f.label("weight", strength * inverse * inverse * (inverse * cosine));
+        });
+}
+
+// shade.hpp by the method ltc: the exact irradiance, which `stages` records, times the diffuse factor or its mean, and
+// the lobe in stages.
+template<class Light, void (*stages)(Function&, const Light&), template<class> class Material>
+void shade_by_rows(Function& f, const Light& light, Vector view, const Material<S>& material) {
+    const CosineNumbers numbers(f, place_of_lobe<Material>);
+    stages(f, light);
+    f.join_stages();
+    const S irradiance = S::of(f.stages.back().value);
+    f.stages.clear();
+    f.label("irradiance", irradiance);
+    if constexpr (Material<S>::scattering != core::Scattering::uniform) label_diffuse_points(f, light);
+    const core::SurfacePoint<S> point{{S(0), S(0), S(0)}, light.normal, view};
+    const Vector diffuse = core::scattered_parts(point, light.as_light(), material, irradiance).diffuse;
+    f.label("diffuse", diffuse);
+    const ShadedByLtc<Light, Material> shaded{light, view, material, diffuse};
+    const auto lobe = core::gloss(material).lobe;
+    rows_stages(f, shaded, lobe, [&](S n_dot_v, S sine) { return numbers.cosine(lobe.alpha, n_dot_v, sine); });
+}
+template<class Light, void (*stages)(Function&, const Light&), auto material>
+void shade_ltc(Function& f) {
+    const Light light(f);
+    const Vector view = f.unit("view", "unit, from the surface to the eye");
+    shade_by_rows<Light, stages>(f, light, view, material(f));
 }
 
 // The lobe of anisotropic_lobe.hpp in the frame of a receiver.

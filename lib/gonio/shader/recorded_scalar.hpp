@@ -204,12 +204,9 @@ inline shader::Recorded atan2_above(shader::Recorded y, shader::Recorded x) {
 inline shader::Recorded acos(shader::Recorded x) {
     return call(shader::Helper::arc_cosine, x);
 }
-inline shader::Recorded sin(shader::Recorded x) {
-    return call(shader::Helper::sine, x);
-}
-inline shader::Recorded cos(shader::Recorded x) {
-    return call(shader::Helper::cosine, x);
-}
+// Of a constant it is a constant.
+shader::Recorded sin(shader::Recorded x);
+shader::Recorded cos(shader::Recorded x);
 
 namespace detail {
 inline shader::Recorded atan_excess_series(shader::Recorded square) {

@@ -38,7 +38,7 @@ struct ShaderFormula {
     std::string_view what;     // irradiance, brdf, sample, pdf, shade, roughness or visibility
     std::string_view light;    // sphere, disk, rect, tube, sun, point or spot
     std::string_view method;   // exact, frostbite, ue4, point, representative-point, ltc, ltc-share, a window or a lobe
-    std::string_view material; // lambert, eon, frostbite, ue4, gltf, blinn, ggx or ggx-anisotropic
+    std::string_view material; // lambert, eon, frostbite, ue4, gltf, blinn, ggx, ggx-anisotropic or kulla-conty
     std::string_view shadow_of; // sphere or capsule
     bool operator==(const ShaderFormula&) const = default;
 };

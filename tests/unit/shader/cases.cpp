@@ -7,12 +7,17 @@
 #include <gonio/shading/brdf_frostbite.hpp>
 #include <gonio/shading/brdf_ggx.hpp>
 #include <gonio/shading/brdf_gltf.hpp>
+#include <gonio/shading/brdf_kulla_conty.hpp>
 #include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_ue4.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/occlusion.hpp>
+#include <gonio/shading/sample_disk.hpp>
+#include <gonio/shading/sample_rectangle.hpp>
+#include <gonio/shading/sample_sphere.hpp>
+#include <gonio/shading/sample_tube.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/specular_by_share.hpp>
 
@@ -259,9 +264,13 @@ double roughness(Dice& dice) {
     return dice.between(0.1, 1.0);
 }
 
-// Calls `use` with a random material of that name.
+struct Ways {
+    core_vector n, l, v;
+};
+
+// Calls `use` with a random material of that name, for these directions.
 template<class Use>
-core_vector with_material(Dice& dice, Inputs& in, std::string_view material, const Use& use) {
+core_vector with_material(Dice& dice, Inputs& in, std::string_view material, const Ways& ways, const Use& use) {
     const core_vector color = in.put(dice.color());
     if (material == "lambert") return use(shading::Lambert<double>{color});
     if (material == "eon") return use(shading::Eon<double>{color, in.put(dice.between(0.0, 1.0))});
@@ -285,7 +294,23 @@ core_vector with_material(Dice& dice, Inputs& in, std::string_view material, con
         const double smoothness = in.put(dice.between(0.0, 1.0));
         return use(shading::blinn_material(color, f0, smoothness, in.put(dice.between(0.0, 1.0))));
     }
-    return use(shading::Ggx<double>{color, in.put(dice.between(0.01, 1.0))});
+    if (material == "kulla-conty") {
+        const double to_light = std::clamp(shading::dot(ways.n, ways.l), 0.0, 1.0);
+        const double to_eye = std::clamp(shading::dot(ways.n, ways.v), 0.0, 1.0);
+        // An albedo that rounds to 1 leaves out the wide lobe, to which the core gives one sample in ten.
+        double alpha = 0.0;
+        do
+            alpha = static_cast<double>(static_cast<float>(dice.between(0.01, 1.0)));
+        while (to_eye > 1e-3 && shading::ggx_loss(alpha)(to_eye) < 1e-6);
+        const shading::KullaConty<double> of = shading::kulla_conty_material(color, in.put(alpha));
+        // In the place of the table's they are the core's own: the shader has to give what the core gives.
+        in.put(1.0 - of.loss(to_light));
+        in.put(1.0 - of.loss(to_eye));
+        in.put(1.0 - of.loss.mean());
+        return use(of);
+    }
+    const double alpha = in.put(dice.between(0.01, 1.0));
+    return use(shading::Ggx<double>{color, alpha});
 }
 
 Expected area_case(Dice& dice, Inputs& in, std::string_view light, std::string_view method) {
@@ -296,29 +321,6 @@ Expected area_case(Dice& dice, Inputs& in, std::string_view light, std::string_v
     if (light == "sun") return sun_case(dice, in);
     if (light == "point") return point_case(dice, in, method);
     return spot_case(dice, in, method);
-}
-
-// The luminance of a material under a light that begins the inputs, with the highlight by a representative point.
-template<class Material>
-core_vector shaded(const Inputs& in, std::string_view light, const shading::SurfacePoint<double>& point, core_vector c,
-                   const Material& material) {
-    constexpr auto method = shading::SpecularMethod::representative_point;
-    const core_vector one{1.0, 1.0, 1.0};
-    if constexpr (Material::lobe != shading::LobeKind::none) {
-        if (light == "sphere")
-            return shading::shade<method>(point, shading::SphereLight<double>{c, one, in.at(3), 0.0}, material);
-        if (light == "disk")
-            return shading::shade<method>(point, shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false},
-                                          material);
-        if (light == "rect")
-            return shading::shade<method>(
-                point,
-                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false},
-                material);
-        return shading::shade<method>(point, shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0},
-                                      material);
-    }
-    return {};
 }
 
 // A surface that is rougher along one direction, with a tangent anywhere across its normal.
@@ -342,57 +344,156 @@ struct Grain {
     }
 };
 
+// An entry of the table at the nearest place, put in; returns the transformed cosine that it describes.
+auto put_cosine(Inputs& in, core_vector n, core_vector v, double rough) {
+    constexpr auto last = static_cast<double>(shading::ltc_ggx_size - 1);
+    const double mu = std::clamp(shading::dot(n, v), 0.0, 1.0);
+    const auto column = static_cast<std::size_t>(std::lround(std::min(rough, 1.0) * last));
+    const auto row = static_cast<std::size_t>(std::lround(std::sqrt(mu) * last));
+    const shading::LtcEntry entry = shading::ltc_ggx_table[row * shading::ltc_ggx_size + column];
+    in.put(core_vector{static_cast<double>(entry.along), static_cast<double>(entry.raised),
+                       static_cast<double>(entry.across)});
+    in.put(core_vector{static_cast<double>(entry.slant), static_cast<double>(entry.albedo),
+                       static_cast<double>(entry.grazing)});
+    return [entry, alpha = rough * rough](double n_dot_v, double sine) {
+        return shading::detail::lobe_from<double>(static_cast<double>(entry.along), static_cast<double>(entry.raised),
+                                                  static_cast<double>(entry.across), static_cast<double>(entry.slant),
+                                                  static_cast<double>(entry.albedo), static_cast<double>(entry.grazing),
+                                                  alpha, std::clamp(n_dot_v, 0.0, 1.0), sine);
+    };
+}
+
+// Calls `work` with the light that begins the inputs.
+template<class Work>
+auto with_light(const Inputs& in, std::string_view light, const Work& work) {
+    const core_vector one{1.0, 1.0, 1.0};
+    const core_vector c = in.vector(0);
+    if (light == "sphere") return work(shading::SphereLight<double>{c, one, in.at(3), 0.0});
+    if (light == "disk") return work(shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false});
+    if (light == "rect")
+        return work(
+            shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false});
+    return work(shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0});
+}
+
+// The luminance of a material under a light that begins the inputs, with the highlight by a representative point.
+template<class Material>
+core_vector shaded(const Inputs& in, std::string_view light, const shading::SurfacePoint<double>& point,
+                   const Material& material) {
+    if constexpr (Material::lobe != shading::LobeKind::none)
+        return with_light(in, light, [&](const auto& shape) {
+            return shading::shade<shading::SpecularMethod::representative_point>(point, shape, material);
+        });
+    return {};
+}
+
 // The highlight of GGX by rows of points or by the share of the transformed cosine, under a light that begins the
 // inputs.
 core_vector highlight(Dice& dice, Inputs& in, const ShaderFormula& names, core_vector c, core_vector n, core_vector v) {
     const core_vector f0 = in.put(dice.color());
     const double f90 = in.put(dice.between(0.0, 1.0));
-    // An entry of the table at the nearest place.
-    const auto even_cosine_of = [&](double rough) {
-        constexpr auto last = static_cast<double>(shading::ltc_ggx_size - 1);
-        const double mu = std::clamp(shading::dot(n, v), 0.0, 1.0);
-        const auto column = static_cast<std::size_t>(std::lround(std::min(rough, 1.0) * last));
-        const auto row = static_cast<std::size_t>(std::lround(std::sqrt(mu) * last));
-        const shading::LtcEntry entry = shading::ltc_ggx_table[row * shading::ltc_ggx_size + column];
-        in.put(core_vector{static_cast<double>(entry.along), static_cast<double>(entry.raised),
-                           static_cast<double>(entry.across)});
-        in.put(core_vector{static_cast<double>(entry.slant), static_cast<double>(entry.albedo),
-                           static_cast<double>(entry.grazing)});
-        return [entry, alpha = rough * rough](double n_dot_v, double sine) {
-            return shading::detail::lobe_from<double>(
-                static_cast<double>(entry.along), static_cast<double>(entry.raised), static_cast<double>(entry.across),
-                static_cast<double>(entry.slant), static_cast<double>(entry.albedo), static_cast<double>(entry.grazing),
-                alpha, std::clamp(n_dot_v, 0.0, 1.0), sine);
-        };
-    };
-    const core_vector one{1.0, 1.0, 1.0};
-    const auto under = [&](const auto& work) -> shading::SpecularLuminance<double> {
-        if (names.light == "sphere") return work(shading::SphereLight<double>{c, one, in.at(3), 0.0});
-        if (names.light == "disk") return work(shading::DiskLight<double>{c, one, in.vector(3), in.at(6), 0.0, false});
-        if (names.light == "rect")
-            return work(
-                shading::RectangleLight<double>{c, one, in.vector(3), in.vector(6), in.at(9), in.at(10), 0.0, false});
-        return work(shading::TubeLight<double>{c, one, in.vector(3), in.at(6), in.at(7), 0.0});
-    };
     const auto found = [&] {
         if (names.material == "ggx-anisotropic") {
             const shading::AnisotropicGgxInFrame<double> lobe = Grain(dice, in, n).lobe(n, v);
             const double alpha = lobe.even_alpha();
-            const auto even = even_cosine_of(std::sqrt(alpha));
+            const auto even = put_cosine(in, n, v, std::sqrt(alpha));
             const auto cosine_of = [&](double n_dot_v, double sine) {
                 return lobe.stretched(even(n_dot_v, sine), alpha);
             };
-            return under([&](const auto& shape) { return shading::specular_ltc(shape, c, n, v, lobe, cosine_of); });
+            return with_light(in, names.light, [&](const auto& shape) {
+                return shading::specular_ltc(shape, c, n, v, lobe, cosine_of);
+            });
         }
         const double rough = in.put(roughness(dice));
-        const auto cosine_of = even_cosine_of(rough);
+        const auto cosine_of = put_cosine(in, n, v, rough);
         const shading::GgxLobe<double> lobe{rough * rough};
-        return under([&](const auto& shape) {
+        return with_light(in, names.light, [&](const auto& shape) {
             return names.method == "ltc" ? shading::specular_ltc(shape, c, n, v, lobe, cosine_of)
                                          : shading::specular_by_share(shape, c, n, v, lobe, cosine_of);
         });
     }();
     return (f0 + (core_vector{f90, f90, f90} - f0) * found.grazing) * found.scale;
+}
+
+// A material whose lobe is such a highlight, with its diffuse part, as shade.hpp adds both.
+core_vector shaded_by_ltc(Dice& dice, Inputs& in, const ShaderFormula& names, core_vector c, core_vector n,
+                          core_vector v) {
+    return with_material(dice, in, names.material, {n, n, v}, [&]<class Material>(const Material& of) -> core_vector {
+        if constexpr (Material::lobe == shading::LobeKind::ggx) {
+            const auto gloss = shading::gloss(of);
+            const auto cosine_of = put_cosine(in, n, v, std::sqrt(gloss.lobe.alpha));
+            return with_light(in, names.light, [&](const auto& shape) {
+                const shading::SurfacePoint<double> point{{0.0, 0.0, 0.0}, n, v};
+                const double lx = shading::illuminance(point, shape);
+                const core_vector diffuse = shading::scattered_parts(point, shape, of, lx).diffuse;
+                const auto found = shading::specular_ltc(shape, c, n, v, gloss.lobe, cosine_of);
+                return diffuse + gloss({found.scale, found.grazing});
+            });
+        } else {
+            return {};
+        }
+    });
+}
+
+// Calls `work` with the core's sampler of the light that begins the inputs, with distances times `stretch`: in double,
+// but a rectangle chooses its map as in float.
+template<class Work>
+auto with_sampler(const Inputs& in, std::string_view light, double stretch, const Work& work) {
+    const core_vector c = in.vector(0) * stretch;
+    if (light == "sphere") return work(shading::SphereSampler<double>(c, in.at(3)));
+    if (light == "disk") return work(shading::DiskSampler<double>(c, in.vector(3), in.at(6)));
+    if (light == "rect")
+        return work(shading::RectangleSampler<double, float>(c, in.vector(3), in.vector(6), in.at(9), in.at(10)));
+    return work(shading::TubeSampler<double, float>(c, in.vector(3), in.at(6), in.at(7)));
+}
+
+// Whether rounding decides nothing: `at(digits, stretch)` changes by at most 1e-4 of itself where inputs differ in
+// their last digits, and by 2 % where distances differ by as much as float mistakes the solid angle that chooses a map.
+template<class At>
+bool is_steady(const At& at) {
+    const core_vector here = at(0.0, 1.0);
+    const auto is_alike = [&](double digits, double stretch, double share) {
+        return shading::length(at(digits, stretch) - here) <= share * shading::length(here);
+    };
+    return is_alike(1e-6, 1.0, 1e-4) && is_alike(-1e-6, 1.0, 1e-4) && is_alike(0.0, 0.998, 0.02) &&
+           is_alike(0.0, 1.002, 0.02);
+}
+
+// A direction towards a light, divided by its density.
+bool draw_light_sample(Dice& dice, Inputs& in, std::string_view light, core_vector& value) {
+    const double u0 = in.put(dice.between(0.0, 0.9999));
+    const double u1 = in.put(dice.between(0.0, 0.9999));
+    const auto at = [&](double digits, double stretch) {
+        const auto drawn = with_sampler(in, light, stretch, [&](const auto& sampler) {
+            return sampler.sample(std::max(u0 + digits, 0.0), std::max(u1 + digits, 0.0));
+        });
+        return drawn.pdf > 0.0 ? drawn.direction * (1.0 / drawn.pdf) : core_vector{0.0, 0.0, 0.0};
+    };
+    value = at(0.0, 1.0);
+    return is_steady(at);
+}
+
+// The density of a direction that meets a light, or in one case of eight of one that misses it; at least 0.01 rad off
+// the plane of a flat light, near which the cosine at the light has lost its digits.
+bool draw_light_density(Dice& dice, Inputs& in, std::string_view light, core_vector& value) {
+    const double u0 = dice.between(0.0, 0.9999);
+    const double u1 = dice.between(0.0, 0.9999);
+    core_vector drawn =
+        with_sampler(in, light, 1.0, [&](const auto& sampler) { return sampler.sample(u0, u1); }).direction;
+    const core_vector across = dice.across(drawn);
+    const bool misses = dice.one_in(8);
+    if (misses) drawn = shading::normalized(drawn + across * dice.log_between(1e-2, 1.0));
+    const core_vector direction = in.put(drawn);
+    if ((light == "disk" || light == "rect") && std::fabs(shading::dot(in.vector(3), direction)) < 0.01) return false;
+    const core_vector up = shading::cross(direction, across);
+    const auto at = [&](double digits, double stretch) {
+        const core_vector turned = direction + (across + up * 0.5) * digits;
+        const double pdf = with_sampler(in, light, stretch,
+                                        [&](const auto& sampler) { return sampler.pdf(shading::normalized(turned)); });
+        return core_vector{pdf, pdf, pdf};
+    };
+    value = at(0.0, 1.0);
+    return (misses || value.x > 0.0) && is_steady(at);
 }
 
 Case random_case(const Formula& formula, Dice& dice) {
@@ -415,11 +516,25 @@ Case random_case(const Formula& formula, Dice& dice) {
             const core_vector f0 = in.put(dice.color());
             value = Grain(dice, in, n).brdf(f0, n, l, v);
         } else {
-            value = with_material(dice, in, names.material, [&](const auto& of) { return shading::brdf(of, n, l, v); });
+            value = with_material(dice, in, names.material, {n, l, v},
+                                  [&](const auto& of) { return shading::brdf(of, n, l, v); });
         }
+    } else if (!names.light.empty() && (names.what == "sample" || names.what == "pdf")) {
+        const bool is_sample = names.what == "sample";
+        const auto draw = is_sample ? draw_light_sample : draw_light_density;
+        do {
+            in.numbers.clear();
+            const Expected lit = area_case(dice, in, names.light, names.method);
+            scale = is_sample ? 10.0 * lit.scale * lit.scale : 0.0;
+            is_near = lit.is_near;
+        } while (!draw(dice, in, names.light, value));
+        if (!is_sample && value.x == 0.0) scale = 1.0;
     } else if (names.what == "sample") {
         const core_vector n = in.put(dice.direction());
-        const core_vector v = in.put(above(dice, n));
+        core_vector eye = above(dice, n);
+        while (names.material == "kulla-conty" && shading::dot(n, eye) < 1e-3) // no table has a loss there
+            eye = above(dice, n);
+        const core_vector v = in.put(eye);
         const core_vector u = in.put(dice.color());
         if (is_grained) {
             in.put(dice.color());
@@ -427,7 +542,7 @@ Case random_case(const Formula& formula, Dice& dice) {
             const shading::TangentFrame<double> frame = grain.frame(n);
             value = frame.to_world(shading::reflected_direction_ggx(frame.to_local(v), grain.alphas, u.x, u.y));
         } else {
-            value = with_material(dice, in, names.material,
+            value = with_material(dice, in, names.material, {n, n, v},
                                   [&](const auto& of) { return shading::sample_brdf(of, n, v, u).l; });
         }
     } else if (names.what == "pdf") {
@@ -440,7 +555,7 @@ Case random_case(const Formula& formula, Dice& dice) {
             const Grain grain(dice, in, n);
             value = all_alike(shading::pdf_reflected_ggx(grain.pose(n, l, v), grain.alphas));
         } else {
-            value = with_material(dice, in, names.material,
+            value = with_material(dice, in, names.material, {n, l, v},
                                   [&](const auto& of) { return all_alike(shading::pdf_brdf(of, n, v, l)); });
         }
     } else if (names.what == "roughness") {
@@ -458,7 +573,7 @@ Case random_case(const Formula& formula, Dice& dice) {
             const core_vector f0 = in.put(dice.color());
             value = Grain(dice, in, n).brdf(f0, n, l, v) * lit.value;
         } else {
-            value = with_material(dice, in, names.material,
+            value = with_material(dice, in, names.material, {n, l, v},
                                   [&](const auto& of) { return shading::brdf(of, n, l, v) * lit.value; });
         }
         scale = lit.scale;
@@ -473,10 +588,13 @@ Case random_case(const Formula& formula, Dice& dice) {
         } else {
             const core_vector v = in.put(above(dice, n));
             const bool by_cosine = names.method == "ltc" || names.method == "ltc-share";
-            value = by_cosine ? highlight(dice, in, names, c, n, v)
-                              : with_material(dice, in, names.material, [&](const auto& of) {
-                                    return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, c, of);
-                                });
+            const bool is_lobe_alone = names.material == "ggx" || is_grained;
+            if (by_cosine)
+                value = is_lobe_alone ? highlight(dice, in, names, c, n, v) : shaded_by_ltc(dice, in, names, c, n, v);
+            else
+                value = with_material(dice, in, names.material, {n, n, v}, [&](const auto& of) {
+                    return shaded(in, names.light, {{0.0, 0.0, 0.0}, n, v}, of);
+                });
         }
     } else if (names.what == "visibility") {
         take(area_case(dice, in, names.shadow_of, names.method));

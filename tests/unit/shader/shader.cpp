@@ -75,6 +75,13 @@ TEST(ShaderGraph, JoinsComponentsIntoVectors) {
         scaled[i] = graph.binary(Operation::multiply, graph.component(a, i), s);
     EXPECT_EQ(graph.pack(scaled[0], scaled[1], scaled[2]), graph.binary(Operation::multiply, a, s));
     EXPECT_EQ(graph[graph.pack(scaled[1], scaled[0], scaled[2])].operation, Operation::pack);
+    // Of a vector of three equal numbers times a scalar, each component is one product.
+    const NodeId gray = graph.pack(s, s, s);
+    EXPECT_EQ(graph.component(graph.binary(Operation::multiply, gray, s), 2), graph.binary(Operation::multiply, s, s));
+    // And of a choice between two such vectors, one choice.
+    const NodeId half = graph.constant(0.5);
+    const NodeId less = graph.binary(Operation::less, s, half);
+    EXPECT_EQ(graph.component(graph.select(less, gray, graph.pack(half, half, half)), 1), graph.select(less, s, half));
 }
 
 // Σ over rows i of weight(i) Σ over rows k of weight(k) x is what loops leave.
@@ -189,8 +196,13 @@ TEST_P(ShaderErrors, AreAsStated) {
     EXPECT_LE(worst[0], formula.error.apart);
     EXPECT_LE(worst[1], formula.error.near);
     // In double the same graph is the core's formula, but for polynomials that are made for float, and for the limits
-    // of ltc, which are those of float.
-    EXPECT_LE(worst_in_double, formula.names.method.starts_with("ltc") ? formula.error.near : 6e-6);
+    // of ltc, which are those of float. What a small solid angle loses to the polynomials, samplers of lights have as
+    // an error; and the albedos of Kulla and Conty's material are inputs that are rounded.
+    const bool is_light_sampler =
+        !formula.names.light.empty() && (formula.names.what == "sample" || formula.names.what == "pdf");
+    const bool is_as_in_float =
+        formula.names.method.starts_with("ltc") || is_light_sampler || formula.names.material == "kulla-conty";
+    EXPECT_LE(worst_in_double, is_as_in_float ? std::max(formula.error.apart, formula.error.near) : 6e-6);
     if (formula.names.method == "exact") {
         EXPECT_LE(formula.error.apart, 1e-5) << "the error bound of the core in float";
     }
