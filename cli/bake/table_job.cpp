@@ -16,6 +16,7 @@
 #include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -190,15 +191,20 @@ Result<int> bake_table(const Command& command, const Arguments& arguments, Conso
     const ReportKind kind = report_kind(arguments);
     if (kind != ReportKind::words && (want->output == "-" || want->sidecar == "-"))
         return both_to_standard_output(want->output == "-" ? "table" : "sidecar");
+    const Stopwatch filling;
     Result<ShadingTable> table =
         make_shading_table(want->kind, want->form, want->axes, want->width, want->height, want->threads);
     if (!table) return pass_on(table);
     Result<StoredTable> stored = store_table(std::move(*table), want->pixel);
     if (!stored) return pass_on(stored);
+    const double filled_ms = filling.milliseconds();
     TableDescription description{want->format->name, {}, {}};
     const bool described = want->sidecar || want->format->has_values || kind != ReportKind::words;
+    const Stopwatch measuring;
     if (described)
         description.error = TableTruth(want->kind, TableTruth::usual_poses, want->threads).error_of(stored->table);
+    console.remark(fmt::format("{}: filled in {:.2f} ms", want->output, filled_ms) +
+                   (described ? fmt::format(", error measured in {:.2f} ms", measuring.milliseconds()) : ""));
     std::vector<OutputFile> files;
     if (!want->format->has_values) {
         Result<std::string> bytes = file_of(*stored, *want->format);
