@@ -42,7 +42,11 @@ public:
         b1_ = y1_ / simd::sqrt(y1_ * y1_ + z0_ * z0_);
         // 2π minus the angles at the two corners of x0.
         k_ = S(std::numbers::pi) + corner(x0_, y1_) - corner(x0_, y0_);
-        const auto over = simd::both(simd::both(x0_<S(0), x1_> S(0)), simd::both(y0_<S(0), y1_> S(0)));
+        const auto spans_0 = [](S low, S high) {
+            const auto begins_below = low < S(0);
+            return simd::both(begins_below, high > S(0));
+        };
+        const auto over = simd::both(spans_0(x0_, x1_), spans_0(y0_, y1_));
         const S reach = simd::max(simd::max(x1_, -x0_), simd::max(y1_, -y0_));
         const auto part = solid_angle_ < S(most_even); // of the half of the sky
         about_foot_ = simd::both(over, !part);
