@@ -119,7 +119,7 @@ def expected(layers, side, mu, roughness):
             value = bilinear(layer, count, side, x * side["width"] - 0.5, roughness * side["height"] - 0.5, channel["component"])
         else:
             value = bilinear(layer, count, side, x * (side["width"] - 1), roughness * (side["height"] - 1), channel["component"])
-        values[channel["name"]] = channel["offset"] + channel["scale"] * value
+        values[channel["name"]] = (channel["offset"] + channel["scale"] * value) ** channel["power"]
     if len(values) == 2:
         return list(values.values())
     s = math.sqrt((1 - mu) * (1 + mu))
@@ -285,6 +285,7 @@ with tempfile.TemporaryDirectory() as folder:
         ["kulla-conty", "-s", "5", "--pixel", "uint16"],
         ["ltc-ggx", "-s", "8", "--pixel", "half"],
         ["ltc-ggx", "-s", "9x16", "--pixel", "uint16"],
+        ["ltc-ggx", "-s", "8", "--pixel", "uint8"],
         ["ltc-disney", "-s", "8", "--pixel", "uint8"],
         ["ltc-disney", "-s", "6", "--form", "chebyshev"],
     ):

@@ -26,12 +26,17 @@ Json channels_json(const StoredTable& stored) {
                 least = std::min(least, stored.table.values[i]);
                 greatest = std::max(greatest, stored.table.values[i]);
             }
+            if (stored.table.holds_root(channel)) { // which is not below 0
+                least *= least;
+                greatest *= greatest;
+            }
             channels.push_back({{"name", info.channels[channel].name},
                                 {"means", info.channels[channel].says},
                                 {"layer", layer},
                                 {"component", c},
                                 {"offset", range.offset},
                                 {"scale", range.scale},
+                                {"power", stored.table.holds_root(channel) ? 2 : 1},
                                 {"least", static_cast<double>(least)},
                                 {"greatest", static_cast<double>(greatest)}});
         }
@@ -39,7 +44,11 @@ Json channels_json(const StoredTable& stored) {
 }
 
 std::string value_in_words(const StoredTable& stored) {
-    if (info_of(stored.pixel).steps > 0.0) return "offset + scale * component, the component as a number from 0 to 1";
+    const bool roots = stored.table.has_roots;
+    if (info_of(stored.pixel).steps > 0.0)
+        return roots ? "(offset + scale * component)^power, the component as a number from 0 to 1, raised after "
+                       "interpolation"
+                     : "offset + scale * component, the component as a number from 0 to 1";
     return "the component";
 }
 

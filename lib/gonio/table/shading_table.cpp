@@ -20,14 +20,19 @@ constexpr std::array dfg_channels{TableChannel{"scale", "A: the factor of F0"},
 constexpr std::array kulla_conty_channels{
     TableChannel{"albedo", "E: the share that facets which reflect all light give back by a single scattering"},
     TableChannel{"mean_albedo", "the mean of E over uniform light; the same in all columns of a row"}};
-// The first five are those of ltc-disney too.
-constexpr std::array ltc_channels{
-    TableChannel{"along", "of the inverse matrix: along the mirrored direction"},
-    TableChannel{"raised", "of the inverse matrix: how the lobe leans away from the mirrored direction"},
-    TableChannel{"across", "of the inverse matrix: across the plane of the view"},
-    TableChannel{"slant", "of the inverse matrix: its lower left number"},
-    TableChannel{"albedo", "what the lobe reflects of uniform light for F = 1"},
-    TableChannel{"grazing", "what the lobe reflects of uniform light for F = (1 - l.h)^5"}};
+constexpr TableChannel along_channel{"along", "of the inverse matrix: along the mirrored direction"};
+constexpr TableChannel raised_channel{"raised",
+                                      "of the inverse matrix: how the lobe leans away from the mirrored direction"};
+constexpr TableChannel across_channel{"across", "of the inverse matrix: across the plane of the view"};
+constexpr TableChannel slant_channel{"slant", "of the inverse matrix: its lower left number"};
+constexpr TableChannel albedo_channel{"albedo", "what the lobe reflects of uniform light for F = 1"};
+constexpr TableChannel grazing_channel{"grazing", "what the lobe reflects of uniform light for F = (1 - l.h)^5"};
+// `raised` goes from 1e-9 to 0.9. At grazing views the matrix' first number is little else: in even steps of 1/255 a
+// smooth surface would have none of it, or several times too much.
+constexpr std::array ltc_ggx_channels{along_channel,  TableChannel{raised_channel.name, raised_channel.says, true},
+                                      across_channel, slant_channel,
+                                      albedo_channel, grazing_channel};
+constexpr std::array ltc_disney_channels{along_channel, raised_channel, across_channel, slant_channel, albedo_channel};
 
 constexpr std::string_view value_error = "greatest |lookup - quadrature| of both channels";
 constexpr std::string_view lobe_error = "greatest error of the reflected luminance under any uniform light, as a share "
@@ -39,10 +44,10 @@ constexpr std::array infos{
               TableAxes::linear, value_error},
     TableInfo{"kulla-conty", TableKind::kulla_conty, "directional albedo of GGX for F = 1, and its mean",
               kulla_conty_channels, TableAxes::linear, value_error},
-    TableInfo{"ltc-ggx", TableKind::ltc_ggx, "GGX as a linearly transformed cosine, with two albedos", ltc_channels,
+    TableInfo{"ltc-ggx", TableKind::ltc_ggx, "GGX as a linearly transformed cosine, with two albedos", ltc_ggx_channels,
               TableAxes::root, lobe_error},
     TableInfo{"ltc-disney", TableKind::ltc_disney, "the renormalised Disney diffuse as a linearly transformed cosine",
-              std::span(ltc_channels).first<5>(), TableAxes::root, lobe_error},
+              ltc_disney_channels, TableAxes::root, lobe_error},
 };
 static_assert(in_enum_order(infos, &TableInfo::kind, TableKind::ltc_disney));
 
@@ -211,7 +216,8 @@ TableValues ShadingTable::lookup(double n_dot_v, double roughness) const {
         const auto in_row = [&](std::size_t row) {
             return (1.0 - across.share) * at(across.first, row) + across.share * at(across.second, row);
         };
-        result[c] = (1.0 - down.share) * in_row(down.first) + down.share * in_row(down.second);
+        const double found = (1.0 - down.share) * in_row(down.first) + down.share * in_row(down.second);
+        result[c] = holds_root(c) ? found * found : found;
     }
     return result;
 }

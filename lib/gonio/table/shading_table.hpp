@@ -41,6 +41,8 @@ inline constexpr int most_table_size = 256;
 struct TableChannel {
     std::string_view name; // as in EXR files and in code
     std::string_view says;
+    // Integers store the square root: for numbers not below 0 of which small ones need a fine step.
+    bool root_in_integers = false;
 };
 
 // A row of the list of tables.
@@ -79,8 +81,12 @@ struct ShadingTable {
     int width = 0;             // texels of n·v, or terms
     int height = 0;            // of roughness
     std::vector<float> values; // rows from the top, channels interleaved
+    bool has_roots = false;    // channels with root_in_integers hold square roots; a lookup squares them
 
     [[nodiscard]] std::size_t channels() const { return info_of(kind).channels.size(); }
+    [[nodiscard]] bool holds_root(std::size_t channel) const {
+        return has_roots && info_of(kind).channels[channel].root_in_integers;
+    }
     // n·v and roughness in [0, 1].
     [[nodiscard]] TableValues lookup(double n_dot_v, double roughness) const;
 };

@@ -66,6 +66,20 @@ double shared_value(std::uint32_t bits, std::size_t channel) {
     return std::ldexp(mantissa, static_cast<int>(bits >> 27U) - shared_bias);
 }
 
+bool has_roots(TableKind kind, TablePixel pixel) {
+    const std::span<const TableChannel> channels = info_of(kind).channels;
+    return info_of(pixel).steps > 0.0 && std::any_of(channels.begin(), channels.end(), [](const TableChannel& channel) {
+               return channel.root_in_integers;
+           });
+}
+
+void take_roots(ShadingTable& table) {
+    table.has_roots = true;
+    for (std::size_t i = 0; i < table.values.size(); ++i)
+        // Interpolated fits can lie a little below 0.
+        if (table.holds_root(i % table.channels())) table.values[i] = std::sqrt(std::max(table.values[i], 0.0F));
+}
+
 Result<void> check_fit(const ShadingTable& table, TablePixel pixel) {
     const TableInfo& info = info_of(table.kind);
     const auto [low, high] = std::minmax_element(table.values.begin(), table.values.end());
@@ -126,6 +140,7 @@ std::uint32_t half_bits(double value) {
 ShadingTable read_back(const ShadingTable& shape, TablePixel pixel, std::span<const ChannelRange> ranges,
                        std::span<const std::uint32_t> stored) {
     ShadingTable table = shape;
+    table.has_roots = has_roots(shape.kind, pixel);
     const double steps = info_of(pixel).steps;
     std::size_t at = 0;
     in_stored_order(shape, [&](std::size_t index, std::size_t channel) {
@@ -154,6 +169,7 @@ Result<StoredTable> store_table(ShadingTable table, TablePixel pixel) {
     made.ranges.resize(channels);
     std::vector<double> greatest(channels);
     const double steps = info_of(pixel).steps;
+    if (has_roots(table.kind, pixel) && !table.has_roots) take_roots(table);
     for (std::size_t c = 0; c < channels; ++c) {
         auto low = static_cast<double>(table.values[c]);
         double high = low;

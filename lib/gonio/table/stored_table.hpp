@@ -35,19 +35,19 @@ struct TablePixelInfo {
 std::span<const TablePixelInfo> table_pixels();
 const TablePixelInfo& info_of(TablePixel pixel);
 
-// Integers mean offset + scale · n/steps; other types are the values themselves (0 and 1).
+// Integers mean offset + scale · n/steps; other types are the numbers themselves (0 and 1).
 struct ChannelRange {
     double offset = 0.0;
     double scale = 1.0;
 };
 
 struct StoredTable {
-    ShadingTable table; // as read back
+    ShadingTable table; // as read back; of integers with square roots where a channel has them
     TablePixel pixel = TablePixel::float32;
     std::vector<ChannelRange> ranges;  // of each channel
     std::vector<std::size_t> layers;   // their numbers of channels
     std::vector<std::uint32_t> stored; // components, or texels of rgb9e5, in the order of the bytes
-    double rounding = 0.0;             // greatest |as read back − value|, as a share of the channel's greatest value
+    double rounding = 0.0; // greatest |as read back − number|, as a share of the channel's greatest number
 };
 
 // Rounds to nearest. Fails (unsupported) where the type cannot hold the table, and says which can.

@@ -226,6 +226,14 @@ std::string texel(const Words& words, std::size_t layer, bool array, std::string
     return {};
 }
 
+// Declares the float of a channel, from an expression of what the table holds.
+std::string number_of(const Words& words, std::size_t channel, std::string_view held) {
+    const std::string_view name = words.info().channels[channel].name;
+    if (!words.table().holds_root(channel)) return fmt::format("    {} = {};\n", words.constant(name), held);
+    return fmt::format("    {} = {};\n    {} = {}_root * {}_root;\n", words.constant(fmt::format("{}_root", name)),
+                       held, words.constant(name), name, name);
+}
+
 // Declares a float for each channel, from the coordinates x and y of the axes.
 std::string fetch(const Words& words) {
     const std::span<const TableChannel> channels = words.info().channels;
@@ -234,12 +242,12 @@ std::string fetch(const Words& words) {
     if (table.form == TableForm::chebyshev || words.in_c()) {
         const bool polynomial = table.form == TableForm::chebyshev;
         for (std::size_t c = 0; c < channels.size(); ++c)
-            text += polynomial
-                        ? fmt::format("    {} = {}_series({}, {} * x - {}, {} * y - {});\n",
-                                      words.constant(channels[c].name), words.prefix(), c, words.number(2.0),
-                                      words.number(1.0), words.number(2.0), words.number(1.0))
-                        : fmt::format("    {} = {}_at({}, {}, {});\n", words.constant(channels[c].name), words.prefix(),
-                                      place(words, "x", table.width), place(words, "y", table.height), c);
+            text += number_of(
+                words, c,
+                polynomial ? fmt::format("{}_series({}, {} * x - {}, {} * y - {})", words.prefix(), c,
+                                         words.number(2.0), words.number(1.0), words.number(2.0), words.number(1.0))
+                           : fmt::format("{}_at({}, {}, {})", words.prefix(), place(words, "x", table.width),
+                                         place(words, "y", table.height), c));
         return text;
     }
     const std::string u = coordinate(words, "x", table.width);
@@ -251,10 +259,11 @@ std::string fetch(const Words& words) {
         for (std::size_t c = 0; c < words.stored.layers[layer]; ++c, ++channel) {
             const ChannelRange range = words.stored.ranges[channel];
             const std::string read = fmt::format("layer{}.{}", layer, std::string_view("xyzw").substr(c, 1));
-            text += info_of(words.stored.pixel).steps > 0.0
-                        ? fmt::format("    {} = {} * {} + {};\n", words.constant(channels[channel].name), read,
-                                      words.number(range.scale), words.number(range.offset))
-                        : fmt::format("    {} = {};\n", words.constant(channels[channel].name), read);
+            text +=
+                number_of(words, channel,
+                          info_of(words.stored.pixel).steps > 0.0
+                              ? fmt::format("{} * {} + {}", read, words.number(range.scale), words.number(range.offset))
+                              : read);
         }
     }
     return text;
