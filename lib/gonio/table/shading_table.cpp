@@ -4,6 +4,7 @@
 #include <gonio/shading/brdf_kulla_conty.hpp>
 #include <gonio/shading/ltc_table.hpp>
 #include <gonio/table/shading_table.hpp>
+#include <gonio/table/texel_fit.hpp>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,9 @@ constexpr std::array infos{
               ltc_disney_channels, TableAxes::root, lobe_error},
 };
 static_assert(in_enum_order(infos, &TableInfo::kind, TableKind::ltc_disney));
+
+// At n·v = 0 the integrals are those of their limit.
+constexpr double least_n_dot_v = 1e-6;
 
 // The four numbers of the matrix, and the albedo.
 std::array<double, 5> numbers_of(const shading::LtcEntry& e) {
@@ -128,18 +132,44 @@ void to_coefficients(std::vector<double>& values, std::size_t count, std::size_t
         values[first + k * stride] = found[k];
 }
 
-// Between which texels a coordinate of [0, 1] lies.
-struct Between {
-    std::size_t first;
-    std::size_t second;
-    double share; // of the second
-};
-
-Between between(TableAxes axes, double at, int count) {
-    const double last = count - 1.0;
-    const double place = std::clamp(axes == TableAxes::linear ? at * count - 0.5 : at * last, 0.0, last);
-    const auto first = static_cast<std::size_t>(place);
-    return {first, std::min(first + 1, static_cast<std::size_t>(count - 1)), place - static_cast<double>(first)};
+// dfg and kulla-conty: the texels whose lookups are nearest. Clipped to [0, 1], since all of these are shares of light.
+void fit_texels(ShadingTable& table, unsigned threads) {
+    constexpr std::size_t count = 2;
+    const auto columns = static_cast<std::size_t>(table.width);
+    const auto rows = static_cast<std::size_t>(table.height);
+    const std::vector<FitPlace> across = fit_places(table.axes, table.width);
+    const std::vector<FitPlace> down = fit_places(table.axes, table.height);
+    // By channel, column and place of roughness.
+    std::vector<double> lines(count * columns * down.size());
+    parallel_for(down.size(), threads, [&](std::size_t j) {
+        const double roughness = down[j].at;
+        std::array<std::vector<double>, count> values{};
+        for (const FitPlace& place : across) {
+            const double mu = table.axes == TableAxes::linear ? place.at : place.at * place.at;
+            const SplitSum sum = split_sum(std::max(mu, least_n_dot_v), roughness);
+            values[0].push_back(table.kind == TableKind::dfg ? sum.scale : sum.albedo());
+            values[1].push_back(sum.bias);
+        }
+        // The mean is the same in the whole row.
+        const double mean = table.kind == TableKind::kulla_conty ? mean_albedo(roughness) : 0.0;
+        for (std::size_t c = 0; c < count; ++c) {
+            const std::vector<double> texels = c == 1 && table.kind == TableKind::kulla_conty
+                                                   ? std::vector<double>(columns, mean)
+                                                   : fitted_texels(table.axes, table.width, across, values[c]);
+            for (std::size_t column = 0; column < columns; ++column)
+                lines[(c * columns + column) * down.size() + j] = texels[column];
+        }
+    });
+    table.values.resize(columns * rows * count);
+    for (std::size_t c = 0; c < count; ++c)
+        for (std::size_t column = 0; column < columns; ++column) {
+            const std::vector<double> texels =
+                fitted_texels(table.axes, table.height, down,
+                              std::span(lines).subspan((c * columns + column) * down.size(), down.size()));
+            for (std::size_t row = 0; row < rows; ++row)
+                table.values[(row * columns + column) * count + c] =
+                    static_cast<float>(std::clamp(texels[row], 0.0, 1.0));
+        }
 }
 
 } // namespace
@@ -161,8 +191,7 @@ std::string_view to_text(TableForm form) {
 }
 
 TableValues table_values(TableKind kind, double n_dot_v, double roughness) {
-    // At n·v = 0 the integrals are those of their limit.
-    const double mu = std::clamp(n_dot_v, 1e-6, 1.0);
+    const double mu = std::clamp(n_dot_v, least_n_dot_v, 1.0);
     const double r = std::clamp(roughness, 0.0, 1.0);
     switch (kind) {
     case TableKind::dfg: {
@@ -239,6 +268,10 @@ Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxe
                     fmt::format("{} has no linear axes", info.is_lobe() ? info.name : std::string_view("a polynomial")),
                     "use --axes root; dfg and kulla-conty have linear axes in the form bilinear");
     ShadingTable table{kind, axes, form, width, height, {}};
+    if (form == TableForm::bilinear && !info.is_lobe()) {
+        fit_texels(table, threads);
+        return table;
+    }
     const std::size_t count = table.channels();
     const auto columns = static_cast<std::size_t>(width);
     const auto rows = static_cast<std::size_t>(height);
@@ -250,7 +283,7 @@ Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxe
             const double mu = axes == TableAxes::linear ? x : x * x;
             // The mean is the same in the whole row, and takes as long as 24 of its texels.
             if (kind == TableKind::kulla_conty && column > 0) {
-                values[(row * columns + column) * count] = split_sum(std::max(mu, 1e-6), roughness).albedo();
+                values[(row * columns + column) * count] = split_sum(std::max(mu, least_n_dot_v), roughness).albedo();
                 values[(row * columns + column) * count + 1] = values[row * columns * count + 1];
                 continue;
             }

@@ -91,7 +91,8 @@ struct ShadingTable {
     [[nodiscard]] TableValues lookup(double n_dot_v, double roughness) const;
 };
 
-// In some 0.1 ms for each texel (dfg, kulla-conty, ltc-ggx). Fails (usage) on a width or height outside 2 … 256, on
+// Texels of dfg and kulla-conty are those whose lookups are nearest in the mean square (texel_fit.hpp), in some 0.3 ms
+// each; those of lobes hold table_values(), in 0.1 ms. Fails (usage) on a width or height outside 2 … 256, on
 // linear axes of a lobe or of a polynomial, and on a polynomial of ltc-ggx. `threads` 0: all.
 Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxes axes, int width, int height,
                                         unsigned threads = 0);
