@@ -34,6 +34,7 @@
 #include <gonio/sky/sky_description.hpp>
 #include <gonio/table/shading_table.hpp>
 
+#include "bake/table_format.hpp"
 #include "preview/layers.hpp"
 #include "preview/picture_method.hpp"
 #include "preview/sweep_axis.hpp"
@@ -445,6 +446,20 @@ Entries shader_materials() {
     return shader_parts(&ShaderFormula::material, &ShaderFormula::what);
 }
 
+// Of textures, and of tables what is no format of textures.
+Entries bake_formats() {
+    Entries entries = images();
+    for (const TableFormat& format : table_formats) {
+        const auto is_same = [&](const ListEntry& entry) { return entry.name == format.name; };
+        const auto same = std::find_if(entries.begin(), entries.end(), is_same);
+        if (same != entries.end())
+            same->says += ", also of tables";
+        else
+            entries.push_back({std::string(format.name), fmt::format("of tables: {}", format.title)});
+    }
+    return entries;
+}
+
 Entries table_axes() {
     return {
         {std::string(to_text(TableAxes::linear)), "u = n.v, v = roughness, texels in the middle of equal parts"},
@@ -466,6 +481,7 @@ Entries tables() {
 
 constexpr std::array lists{
     NamedList{"arrangements", "where the luminaires of road are", road_arrangement_names},
+    NamedList{"bake-formats", "formats of textures and tables that bake writes", bake_formats},
     NamedList{"cie-skies", "general skies of the CIE", cie_skies},
     NamedList{"coats", "what a clear coat leaves of the material below", coats},
     NamedList{"color-methods", "formulas for the colour of a temperature", color_method_names},

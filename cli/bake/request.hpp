@@ -38,6 +38,10 @@ inline constexpr std::array bake_options{
     Option{"--no-skip", "", "evaluate every texel, mirrored and dark ones too; the texture is the same"},
 };
 
+inline constexpr std::array bake_format_options{
+    Option{"--to", "FORMAT", "format of the texture or table, if the file name does not show it", "bake-formats"},
+};
+
 // --max-error: in candela, or as a fraction of each profile's peak.
 struct ErrorLimit {
     double value = 0.0;

@@ -17,6 +17,7 @@
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 #include "../stopwatch.hpp"
+#include "table_format.hpp"
 
 #include <fmt/format.h>
 
@@ -33,21 +34,6 @@ namespace gonio::cli {
 
 namespace {
 
-// A file format of tables, and what it holds.
-struct Format {
-    std::string_view name;
-    std::array<std::string_view, 2> extensions;
-    bool holds_integers; // and rgb9e5
-    bool holds_polynomials;
-    bool has_values; // the sidecar is the file itself
-};
-
-constexpr std::array formats{
-    Format{"exr", {"exr", {}}, false, false, false},  Format{"dds", {"dds", {}}, true, false, false},
-    Format{"raw", {"raw", "bin"}, true, true, false}, Format{"header", {"h", "hpp"}, true, true, false},
-    Format{"json", {"json", {}}, true, true, true},
-};
-
 constexpr std::array used_options{"--table",      "--axes",   "--form",    "--size",  "--pixel", "--sidecar",
                                   "--no-sidecar", "--output", "--durable", "--to",    "--json",  "--jsonl",
                                   "--jobs",       "--quiet",  "--verbose", "--color", "--help"};
@@ -59,7 +45,7 @@ struct Wanted {
     int width = 0;
     int height = 0;
     TablePixel pixel = TablePixel::float32;
-    const Format* format = nullptr;
+    const TableFormat* format = nullptr;
     std::string output;
     std::optional<std::string> sidecar;
     unsigned threads = 0;
@@ -80,10 +66,11 @@ Result<void> refuse_others(const Command& command, const Arguments& arguments) {
     return {};
 }
 
-Result<const Format*> format_of(const Arguments& arguments, const std::string& output) {
-    if (const auto named = arguments.value("--to")) return find_named("format of tables", to_lower(*named), formats);
+Result<const TableFormat*> format_of(const Arguments& arguments, const std::string& output) {
+    if (const auto named = arguments.value("--to"))
+        return find_named("format of tables", to_lower(*named), table_formats);
     const std::string ending = to_lower(extension_of(output));
-    for (const Format& format : formats)
+    for (const TableFormat& format : table_formats)
         if (!ending.empty() &&
             std::find(format.extensions.begin(), format.extensions.end(), ending) != format.extensions.end())
             return &format;
@@ -133,7 +120,7 @@ Result<Wanted> wanted(const Arguments& arguments) {
     const auto output = arguments.value("--output");
     if (!output) return fail("USE0104", "there is no output", "add -o FILE, for example -o dfg.dds");
     want.output = *output;
-    Result<const Format*> format = format_of(arguments, want.output);
+    Result<const TableFormat*> format = format_of(arguments, want.output);
     if (!format) return pass_on(format);
     want.format = *format;
     if (!want.format->holds_integers && want.pixel != TablePixel::float32 && want.pixel != TablePixel::half)
@@ -175,7 +162,7 @@ Result<std::string> exr_file(const StoredTable& stored) {
     return media::encode_image(image, *media::find_image_format("exr"), options);
 }
 
-Result<std::string> file_of(const StoredTable& stored, const Format& format) {
+Result<std::string> file_of(const StoredTable& stored, const TableFormat& format) {
     if (format.name == "exr") return exr_file(stored);
     if (format.name == "dds") return dds_file(stored);
     if (format.name == "header") return table_header(stored);

@@ -23,7 +23,7 @@ namespace {
 constexpr std::array groups{OptionGroup{"texture", bake_options},
                             OptionGroup{"table", table_options},
                             output_group,
-                            picture_format_group,
+                            OptionGroup{"format", bake_format_options},
                             profile_input_group,
                             json_group,
                             catalogue_group,
