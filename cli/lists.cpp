@@ -461,9 +461,10 @@ Entries bake_formats() {
 }
 
 Entries table_axes() {
-    return {
-        {std::string(to_text(TableAxes::linear)), "u = n.v, v = roughness, texels in the middle of equal parts"},
-        {std::string(to_text(TableAxes::root)), "u by the square root of n.v, the first and last texel on 0 and 1"}};
+    return {{std::string(to_text(TableAxes::linear)), "u = n.v, v = roughness, texels in the middle of equal parts"},
+            {std::string(to_text(TableAxes::root)), "u by the square root of n.v, the first and last texel on 0 and 1"},
+            {std::string(to_text(TableAxes::heitz)),
+             "u = roughness, v by the square root of 1 - n.v, the first and last texel on 0 and 1"}};
 }
 
 Entries table_forms() {
@@ -473,9 +474,12 @@ Entries table_forms() {
 
 Entries tables() {
     Entries entries;
-    for (const TableInfo& table : table_infos())
-        entries.push_back({std::string(table.name),
-                           fmt::format("{} (axes {})", table.summary, table.is_lobe() ? "root" : "linear, root")});
+    for (const TableInfo& table : table_infos()) {
+        std::string axes;
+        for (const TableAxes each : table.axes)
+            axes += fmt::format("{}{}", axes.empty() ? "" : ", ", to_text(each));
+        entries.push_back({std::string(table.name), fmt::format("{} (axes {})", table.summary, axes)});
+    }
     return entries;
 }
 

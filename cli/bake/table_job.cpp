@@ -79,9 +79,9 @@ Result<const TableFormat*> format_of(const Arguments& arguments, const std::stri
 }
 
 // N or WIDTHxHEIGHT.
-Result<PixelSize> size_of(const Arguments& arguments, TableForm form) {
+Result<PixelSize> size_of(const Arguments& arguments, const TableInfo& table, TableForm form) {
     const auto text = arguments.value("--size");
-    constexpr PixelSize usual{32, 32};
+    const PixelSize usual{table.size, table.size};
     constexpr PixelSize usual_terms{10, 10};
     if (!text) return form == TableForm::bilinear ? usual : usual_terms;
     const std::string both = text->find('x') == std::string::npos ? *text + "x" + *text : *text;
@@ -101,14 +101,15 @@ Result<Wanted> wanted(const Arguments& arguments) {
         if (!form) return pass_on(form);
         want.form = *form;
     }
-    want.axes = want.form == TableForm::chebyshev ? TableAxes::root : (*info)->axes;
+    want.axes = want.form == TableForm::chebyshev ? TableAxes::root : (*info)->axes.front();
     if (const auto text = arguments.value("--axes")) {
-        constexpr std::array kinds{Named{"linear", TableAxes::linear}, Named{"root", TableAxes::root}};
+        constexpr std::array kinds{Named{"linear", TableAxes::linear}, Named{"root", TableAxes::root},
+                                   Named{"heitz", TableAxes::heitz}};
         Result<TableAxes> axes = find_value("axes of a table", *text, kinds);
         if (!axes) return pass_on(axes);
         want.axes = *axes;
     }
-    Result<PixelSize> size = size_of(arguments, want.form);
+    Result<PixelSize> size = size_of(arguments, **info, want.form);
     if (!size) return pass_on(size);
     want.width = size->width;
     want.height = size->height;

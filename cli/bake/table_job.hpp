@@ -15,7 +15,9 @@ inline constexpr std::array table_options{
     Option{"--table", "NAME", "write a table for shaders instead of a profile's texture: dfg, kulla-conty, ltc-ggx, …",
            "tables"},
     Option{"--axes", "AXES",
-           "linear: u = n.v, v = roughness; root: u by the square root of n.v (the first that 'gonio list tables' has)",
+           "linear: u = n.v, v = roughness; root: u by the square root of n.v; heitz: those of ltc-heitz (the first "
+           "that 'gonio "
+           "list tables' has)",
            "table-axes"},
     Option{"--form", "FORM",
            "bilinear: texels; chebyshev: the coefficients of a polynomial, with -s TERMSxTERMS (bilinear)",

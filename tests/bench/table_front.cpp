@@ -64,28 +64,54 @@ std::array<double, 4> sample(const std::vector<double>& texels, std::size_t chan
     return result;
 }
 
-// Rows of Heitz and others' tables as three.js has them: 64 x 64, two layers of four halves; u = roughness,
-// v = √(1 − n·v), texel centres on 0 and 1. Their frame has x towards the eye, so it is mirrored here.
-void add_three_ltc(const std::string& folder, const TableTruth& truth, std::vector<Row>& rows) {
-    constexpr std::size_t size = 64;
+constexpr std::size_t heitz_size = 64;
+
+// Heitz and others' table as three.js has it, 64 x 64: two layers of four halves in the axes and channels of ltc-heitz.
+ShadingTable three_ltc(const std::string& folder) {
+    ShadingTable table{TableKind::ltc_heitz, TableAxes::heitz, TableForm::bilinear, heitz_size, heitz_size, {}};
     const std::vector<double> first = halves(folder + "/ltc_1.half");
     const std::vector<double> second = halves(folder + "/ltc_2.half");
-    if (first.size() != size * size * 4 || second.size() != first.size()) return;
+    if (first.size() != heitz_size * heitz_size * 4 || second.size() != first.size()) return table;
+    for (std::size_t texel = 0; texel < heitz_size * heitz_size; ++texel)
+        for (const std::vector<double>* const layer : {&first, &second})
+            for (std::size_t c = 0; c < 4; ++c)
+                table.values.push_back(static_cast<float>((*layer)[texel * 4 + c]));
+    return table;
+}
+
+void add_three_ltc(const ShadingTable& three, const TableTruth& truth, std::vector<Row>& rows) {
+    if (three.values.empty()) return;
     const TableError error = truth.error_of_lobes([&](double mu, double roughness) {
-        const auto place = [&](double t) { return t * (size - 1.0) / size + 0.5 / size; };
-        const double u = place(roughness);
-        const double v = place(std::sqrt(1.0 - mu));
-        const std::array m = sample(first, 4, size, u, v);
-        TransformedCosine lobe;
-        lobe.m00 = m[0];
-        lobe.m20 = -m[1];
-        lobe.m02 = -m[2];
-        lobe.m22 = m[3];
-        lobe.scale = sample(second, 4, size, u, v)[0];
-        lobe.is_clamped = true;
-        return lobe;
+        return lobe_of(TableKind::ltc_heitz, three.lookup(mu, roughness), mu, roughness);
     });
-    rows.push_back({"three.js (Heitz et al.)", "64 x 64", first.size() * 2 + second.size() * 2, error});
+    rows.push_back({"three.js (Heitz et al.)", "64 x 64", three.values.size() * 2, error});
+}
+
+// The greatest differences of ltc-heitz to three.js' table where both must agree: everywhere for what is an integral of
+// GGX or of a sphere; at n.v = 1 for the matrix, where the lobe is round and its fit has one number. false if they do
+// not.
+bool compare_to_three(const ShadingTable& three) {
+    const Result<ShadingTable> made =
+        make_shading_table(TableKind::ltc_heitz, TableForm::bilinear, TableAxes::heitz, heitz_size, heitz_size);
+    if (!made) return false;
+    std::array<double, 8> greatest{};
+    std::array<double, 8> least_cosines{}; // of rows: theirs are by random directions in the last ones
+    least_cosines[4] = least_cosines[5] = 0.1;
+    for (std::size_t row = 0; row < heitz_size; ++row)
+        for (std::size_t column = 0; column < heitz_size; ++column)
+            for (std::size_t c = 0; c < 8; ++c) {
+                const double down = static_cast<double>(row) / (heitz_size - 1.0);
+                const bool counts = c < 4 ? row == 0 : 1.0 - down * down >= least_cosines[c];
+                const std::size_t at = (row * heitz_size + column) * 8 + c;
+                if (counts)
+                    greatest[c] = std::max(greatest[c], std::fabs(static_cast<double>(made->values[at]) -
+                                                                  static_cast<double>(three.values[at])));
+            }
+    (void)std::printf(
+        "Greatest differences to the numbers of three.js, of matrices at n·v = 1 and of integrals at n·v from "
+        "0.1: m00 %.1e, m20 %.1e, m02 %.1e, m22 %.1e, magnitude %.1e, fresnel %.1e, sphere %.1e.\n\n",
+        greatest[0], greatest[1], greatest[2], greatest[3], greatest[4], greatest[5], greatest[7]);
+    return greatest[5] < 2e-3 && greatest[7] < 1e-3;
 }
 
 // 16 x 16, two halves; u = roughness, v = n·v, at the middles of texels.
@@ -114,16 +140,15 @@ std::vector<Row> rows_of(TableKind kind, const std::string& folder) {
     };
     constexpr std::array pixels{TablePixel::float32, TablePixel::half, TablePixel::rgb9e5, TablePixel::uint16,
                                 TablePixel::uint8};
-    for (const TableAxes axes : {TableAxes::linear, TableAxes::root}) {
-        if (axes == TableAxes::linear && info.is_lobe()) continue;
+    for (const TableAxes axes : info.axes)
         for (const TablePixel pixel : pixels)
             for (const int size : {8, 16, 32, 64})
                 add(TableForm::bilinear, axes, size, pixel,
                     std::string(to_text(axes)) + ", " + std::string(info_of(pixel).name));
-    }
     for (const int terms : {4, 6, 8, 10, 12, 16})
         add(TableForm::chebyshev, TableAxes::root, terms, TablePixel::float32, "chebyshev, float");
-    if (!folder.empty() && kind == TableKind::ltc_ggx) add_three_ltc(folder, truth, rows);
+    if (!folder.empty() && (kind == TableKind::ltc_ggx || kind == TableKind::ltc_heitz))
+        add_three_ltc(three_ltc(folder), truth, rows);
     if (!folder.empty() && kind == TableKind::dfg) add_three_dfg(folder, truth, rows);
     return rows;
 }
@@ -191,7 +216,10 @@ int main(int count, char** arguments) {
         else if (info.kind == TableKind::dfg || info.kind == TableKind::ltc_ggx)
             panels.push_back(panel_of(info.kind, rows));
     }
-    if (!draws) return 0;
+    if (!draws) {
+        const ShadingTable three = three_ltc(folder);
+        return three.values.empty() || compare_to_three(three) ? 0 : 1;
+    }
     LogLogOptions options;
     options.title = "Tables: bytes against the error of a lookup";
     options.note = "Filled and joined in grey: what no other table here beats in both. Diamond: three.js. 512 poses.";

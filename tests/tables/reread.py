@@ -110,16 +110,21 @@ def series(layer, channels, side, x, y, channel):
 
 def expected(layers, side, mu, roughness):
     x = mu if side["axes"]["name"] == "linear" else math.sqrt(mu)
+    y = roughness
+    if side["axes"]["name"] == "heitz":
+        x, y = roughness, math.sqrt(1 - mu)
     values = {}
     for channel in side["channels"]:
         layer, count = layers[channel["layer"]], side["layers"][channel["layer"]]
         if side["form"] == "chebyshev":
-            value = series(layer, count, side, x, roughness, channel["component"])
+            value = series(layer, count, side, x, y, channel["component"])
         elif side["axes"]["name"] == "linear":
-            value = bilinear(layer, count, side, x * side["width"] - 0.5, roughness * side["height"] - 0.5, channel["component"])
+            value = bilinear(layer, count, side, x * side["width"] - 0.5, y * side["height"] - 0.5, channel["component"])
         else:
-            value = bilinear(layer, count, side, x * (side["width"] - 1), roughness * (side["height"] - 1), channel["component"])
+            value = bilinear(layer, count, side, x * (side["width"] - 1), y * (side["height"] - 1), channel["component"])
         values[channel["name"]] = (channel["offset"] + channel["scale"] * value) ** channel["power"]
+    if side["table"] == "ltc-heitz":
+        return list(values.values())[:6]  # two are not of a pose
     if len(values) == 2:
         return list(values.values())
     s = math.sqrt((1 - mu) * (1 + mu))
@@ -147,12 +152,16 @@ def compare(what, found, wanted):
     print(f"{what}: {len(found)} lookups within {worst:.0e}")
 
 
+def last_member(side):
+    return "fresnel" if side["table"] == "ltc-heitz" else side["channels"][-1]["name"]
+
+
 def compile_shader(folder, side, language):
     """By glslang, if it is there: GLSL ES, GLSL 4.50 and HLSL."""
     if not shutil.which("glslangValidator"):
         print("glslangValidator is not installed: shaders are not compiled")
         return
-    member = side["channels"][-1]["name"]
+    member = last_member(side)
     call = side["table"].replace("-", "_") + "_lookup"
     kind = "2DArray" if len(side["layers"]) > 1 else "2D"
     texture = side["form"] == "bilinear"
@@ -234,7 +243,7 @@ def check(folder, options):
     lookup = side["table"].replace("-", "_") + "_lookup"
     program = name + ".out"
     with open(name + ".c", "w", encoding="utf-8") as file:
-        file.write(f'#include "table.h"\nfloat first(void);\nfloat first(void) {{ return {lookup}(0.5f, 0.5f).{side["channels"][-1]["name"]}; }}\n')
+        file.write(f'#include "table.h"\nfloat first(void);\nfloat first(void) {{ return {lookup}(0.5f, 0.5f).{last_member(side)}; }}\n')
     subprocess.run([cc, "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-c", name + ".c", "-o", name + ".o"], check=True)
     common = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Werror", os.path.join(here, "lookup.cpp"), "-o", program]
     subprocess.run([cxx, *common, f'-DHEADER="{name}.h"', f"-DLOOKUP={lookup}(n_dot_v, roughness)"], check=True)
@@ -287,6 +296,7 @@ with tempfile.TemporaryDirectory() as folder:
         ["ltc-ggx", "-s", "9x16", "--pixel", "uint16"],
         ["ltc-ggx", "-s", "8", "--pixel", "uint8"],
         ["ltc-disney", "-s", "8", "--pixel", "uint8"],
+        ["ltc-heitz", "-s", "9x8", "--pixel", "half"],
         ["ltc-disney", "-s", "6", "--form", "chebyshev"],
     ):
         check(folder, options)

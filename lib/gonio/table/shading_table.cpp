@@ -2,7 +2,9 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/ibl/split_sum.hpp>
 #include <gonio/shading/brdf_kulla_conty.hpp>
-#include <gonio/shading/ltc_table.hpp>
+#include <gonio/shading/ggx.hpp>
+#include <gonio/shading/irradiance_sphere.hpp>
+#include <gonio/shading/ltc_lobe.hpp>
 #include <gonio/table/shading_table.hpp>
 #include <gonio/table/texel_fit.hpp>
 
@@ -34,6 +36,24 @@ constexpr std::array ltc_ggx_channels{along_channel,  TableChannel{raised_channe
                                       across_channel, slant_channel,
                                       albedo_channel, grazing_channel};
 constexpr std::array ltc_disney_channels{along_channel, raised_channel, across_channel, slant_channel, albedo_channel};
+// Of the authors' matrix, (m00 0 m02; 0 1 0; m20 0 m22). Their x is towards the eye.
+constexpr std::array ltc_heitz_channels{
+    TableChannel{"m00", "of the inverse matrix over its middle number, with x towards the eye: upper left"},
+    TableChannel{"m20", "of the same: lower left"},
+    TableChannel{"m02", "of the same: upper right"},
+    TableChannel{"m22", "of the same: lower right"},
+    TableChannel{"magnitude", "what the lobe reflects of uniform light for F = 1"},
+    TableChannel{"fresnel", "what the lobe reflects of uniform light for F = (1 - l.h)^5"},
+    TableChannel{"zero", "0, as their authors have it", false, false},
+    TableChannel{
+        "sphere",
+        "the form factor above the horizon of a sphere, over its whole form factor, which is row/(height - 1); the "
+        "cosine of its direction is 2 column/(width - 1) - 1",
+        false, false}};
+
+constexpr std::array both_axes{TableAxes::linear, TableAxes::root};
+constexpr std::array root_axes{TableAxes::root};
+constexpr std::array heitz_axes{TableAxes::heitz};
 
 constexpr std::string_view value_error = "greatest |lookup - quadrature| of both channels";
 constexpr std::string_view lobe_error = "greatest error of the reflected luminance under any uniform light, as a share "
@@ -41,19 +61,25 @@ constexpr std::string_view lobe_error = "greatest error of the reflected luminan
                                         "light from everywhere, for F = 1";
 
 constexpr std::array infos{
-    TableInfo{"dfg", TableKind::dfg, "scale and bias of the split sum: F0 scale + F90 bias", dfg_channels,
-              TableAxes::linear, value_error},
+    TableInfo{"dfg", TableKind::dfg, "scale and bias of the split sum: F0 scale + F90 bias", dfg_channels, both_axes,
+              32, value_error},
     TableInfo{"kulla-conty", TableKind::kulla_conty, "directional albedo of GGX for F = 1, and its mean",
-              kulla_conty_channels, TableAxes::linear, value_error},
+              kulla_conty_channels, both_axes, 32, value_error},
     TableInfo{"ltc-ggx", TableKind::ltc_ggx, "GGX as a linearly transformed cosine, with two albedos", ltc_ggx_channels,
-              TableAxes::root, lobe_error},
+              root_axes, 32, lobe_error},
     TableInfo{"ltc-disney", TableKind::ltc_disney, "the renormalised Disney diffuse as a linearly transformed cosine",
-              ltc_disney_channels, TableAxes::root, lobe_error},
+              ltc_disney_channels, root_axes, 32, lobe_error},
+    TableInfo{"ltc-heitz", TableKind::ltc_heitz,
+              "the lobe of ltc-ggx as LTC_1 and LTC_2 of Heitz and others (2016) and three.js", ltc_heitz_channels,
+              heitz_axes, 64, lobe_error},
 };
-static_assert(in_enum_order(infos, &TableInfo::kind, TableKind::ltc_disney));
+static_assert(in_enum_order(infos, &TableInfo::kind, TableKind::ltc_heitz));
 
 // At n·v = 0 the integrals are those of their limit.
 constexpr double least_n_dot_v = 1e-6;
+// With the matrix as such, which is singular there, the last row is slightly above; and m00 is a normal half.
+constexpr double least_n_dot_v_of_matrix = 1e-4;
+constexpr double least_m00 = 0x1p-14;
 
 // The four numbers of the matrix, and the albedo.
 std::array<double, 5> numbers_of(const shading::LtcEntry& e) {
@@ -108,6 +134,14 @@ std::array<double, 5> fitted(const shading::LtcEntry* table, std::size_t size, d
     return sum;
 }
 
+// The form factor, above the horizon, of a sphere whose direction has this cosine and whose whole form factor is
+// `whole`, in [0, 1], as a share of the latter.
+double cut_sphere(double cosine, double whole) {
+    const double sine = std::sqrt(whole); // of its angular radius
+    if (std::fabs(cosine) >= sine) return std::max(cosine, 0.0);
+    return shading::irradiance_straddling_cap(sine, std::sqrt(1.0 - whole), cosine) / (std::numbers::pi * whole);
+}
+
 // Of one axis, in [0, 1]: the place of a texel or of a node of the polynomial.
 double place_of(TableForm form, TableAxes axes, int index, int count) {
     if (form == TableForm::chebyshev) return 0.5 - 0.5 * std::cos(std::numbers::pi * (index + 0.5) / count);
@@ -132,6 +166,21 @@ void to_coefficients(std::vector<double>& values, std::size_t count, std::size_t
         values[first + k * stride] = found[k];
 }
 
+// Where a pose is on the axes of columns and of rows, in [0, 1].
+std::array<double, 2> coordinates(TableAxes axes, double mu, double roughness) {
+    if (axes == TableAxes::heitz) return {roughness, std::sqrt(1.0 - mu)};
+    return {axes == TableAxes::linear ? mu : std::sqrt(mu), roughness};
+}
+
+struct Pose {
+    double mu;
+    double roughness;
+};
+Pose pose_at(TableAxes axes, double x, double y) {
+    if (axes == TableAxes::heitz) return {1.0 - y * y, x};
+    return {axes == TableAxes::linear ? x : x * x, y};
+}
+
 // dfg and kulla-conty: the texels whose lookups are nearest. Clipped to [0, 1], since all of these are shares of light.
 void fit_texels(ShadingTable& table, unsigned threads) {
     constexpr std::size_t count = 2;
@@ -145,7 +194,7 @@ void fit_texels(ShadingTable& table, unsigned threads) {
         const double roughness = down[j].at;
         std::array<std::vector<double>, count> values{};
         for (const FitPlace& place : across) {
-            const double mu = table.axes == TableAxes::linear ? place.at : place.at * place.at;
+            const double mu = pose_at(table.axes, place.at, roughness).mu;
             const SplitSum sum = split_sum(std::max(mu, least_n_dot_v), roughness);
             values[0].push_back(table.kind == TableKind::dfg ? sum.scale : sum.albedo());
             values[1].push_back(sum.bias);
@@ -183,7 +232,15 @@ const TableInfo& info_of(TableKind kind) {
 }
 
 std::string_view to_text(TableAxes axes) {
-    return axes == TableAxes::linear ? "linear" : "root";
+    switch (axes) {
+    case TableAxes::linear:
+        return "linear";
+    case TableAxes::root:
+        return "root";
+    case TableAxes::heitz:
+        break;
+    }
+    return "heitz";
 }
 
 std::string_view to_text(TableForm form) {
@@ -211,14 +268,29 @@ TableValues table_values(TableKind kind, double n_dot_v, double roughness) {
             fitted(&shading::ltc_diffuse_table[0], shading::ltc_diffuse_size, r, std::sqrt(mu));
         return {along, raised, across, slant, albedo};
     }
+    case TableKind::ltc_heitz: {
+        const double seen = std::max(mu, least_n_dot_v_of_matrix);
+        const TableValues of = table_values(TableKind::ltc_ggx, seen, r);
+        const auto lobe =
+            shading::detail::lobe_from(of[0], of[1], of[2], of[3], of[4], of[5],
+                                       std::max(r * r, shading::minimum_alpha), seen, shading::sine_of_cosine(seen));
+        return {std::max(lobe.m00 / lobe.m11, least_m00),
+                -lobe.m20 / lobe.m11,
+                -lobe.m02 / lobe.m11,
+                lobe.m22 / lobe.m11,
+                of[4],
+                of[5],
+                0.0,
+                cut_sphere(2.0 * r - 1.0, std::sqrt(1.0 - std::clamp(n_dot_v, 0.0, 1.0)))};
+    }
     }
     return {};
 }
 
 TableValues ShadingTable::lookup(double n_dot_v, double roughness) const {
     const double mu = std::clamp(n_dot_v, 0.0, 1.0);
-    const double y = std::clamp(roughness, 0.0, 1.0);
-    const double x = axes == TableAxes::linear ? mu : std::sqrt(mu);
+    const double r = std::clamp(roughness, 0.0, 1.0);
+    const auto [x, y] = coordinates(axes, mu, r);
     const std::size_t count = channels();
     const auto columns = static_cast<std::size_t>(width);
     const auto rows = static_cast<std::size_t>(height);
@@ -263,10 +335,14 @@ Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxe
     if (form == TableForm::chebyshev && !info.has_polynomials())
         return fail("USE0107", fmt::format("{} has no polynomial", info.name),
                     "there are polynomials of dfg, kulla-conty and ltc-disney");
-    if (axes == TableAxes::linear && (info.is_lobe() || form == TableForm::chebyshev))
-        return fail("USE0107",
-                    fmt::format("{} has no linear axes", info.is_lobe() ? info.name : std::string_view("a polynomial")),
-                    "use --axes root; dfg and kulla-conty have linear axes in the form bilinear");
+    const bool has_axes = std::find(info.axes.begin(), info.axes.end(), axes) != info.axes.end();
+    if (!has_axes || (axes == TableAxes::linear && form == TableForm::chebyshev))
+        return fail(
+            "USE0107",
+            fmt::format("{} has no {} axes", has_axes ? std::string_view("a polynomial") : info.name, to_text(axes)),
+            has_axes ? "use --axes root; dfg and kulla-conty have linear axes in the form bilinear"
+                     : fmt::format("use --axes {}; 'gonio list tables' shows those of each table",
+                                   to_text(info.axes.front())));
     ShadingTable table{kind, axes, form, width, height, {}};
     if (form == TableForm::bilinear && !info.is_lobe()) {
         fit_texels(table, threads);
@@ -277,10 +353,9 @@ Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxe
     const auto rows = static_cast<std::size_t>(height);
     std::vector<double> values(columns * rows * count);
     parallel_for(rows, threads, [&](std::size_t row) {
-        const double roughness = place_of(form, axes, static_cast<int>(row), height);
+        const double y = place_of(form, axes, static_cast<int>(row), height);
         for (std::size_t column = 0; column < columns; ++column) {
-            const double x = place_of(form, axes, static_cast<int>(column), width);
-            const double mu = axes == TableAxes::linear ? x : x * x;
+            const auto [mu, roughness] = pose_at(axes, place_of(form, axes, static_cast<int>(column), width), y);
             // The mean is the same in the whole row, and takes as long as 24 of its texels.
             if (kind == TableKind::kulla_conty && column > 0) {
                 values[(row * columns + column) * count] = split_sum(std::max(mu, least_n_dot_v), roughness).albedo();

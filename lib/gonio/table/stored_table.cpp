@@ -88,6 +88,11 @@ Result<void> check_fit(const ShadingTable& table, TablePixel pixel) {
         return fail(
             "USE0107",
             fmt::format("{} holds no coefficients of a polynomial: their rounding adds up", info_of(pixel).name), hint);
+    if (table.kind == TableKind::ltc_heitz && pixel != TablePixel::float32 && pixel != TablePixel::half)
+        return fail("USE0107",
+                    fmt::format("lookups of {} take texels as they are, but {} needs an offset and a scale", info.name,
+                                info_of(pixel).name),
+                    "use --pixel half or float");
     if (pixel == TablePixel::half)
         for (const float end : {*low, *high})
             if (!(std::fabs(half_value(half_bits(static_cast<double>(end)))) <= 65504.0))

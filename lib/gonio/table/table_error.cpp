@@ -74,6 +74,14 @@ TableError error_from(std::vector<double> errors) {
 } // namespace
 
 TransformedCosine lobe_of(TableKind kind, const TableValues& values, double n_dot_v, double roughness) {
+    if (kind == TableKind::ltc_heitz) // x is towards the eye there
+        return {.m00 = values[0],
+                .m02 = -values[2],
+                .m11 = 1.0,
+                .m20 = -values[1],
+                .m22 = values[3],
+                .scale = values[4],
+                .is_clamped = true};
     const double width = kind == TableKind::ltc_disney ? 1.0 : alpha_of(roughness);
     const auto found = shading::detail::lobe_from(values[0], values[1], values[2], values[3], values[4], values[5],
                                                   width, n_dot_v, shading::sine_of_cosine(n_dot_v));
@@ -114,7 +122,7 @@ void TableTruth::lay_out(Pose& pose) const {
     constexpr std::size_t count = 1024;
     const vec3<double> v = view_of(pose.n_dot_v);
     const double alpha = alpha_of(pose.roughness);
-    const bool specular = kind_ == TableKind::ltc_ggx;
+    const bool specular = kind_ != TableKind::ltc_disney;
     const std::vector<double> widths =
         specular ? std::vector<double>{alpha, std::min(1.0, 3.0 * alpha)} : std::vector<double>{};
     const std::size_t of_cosine = specular ? count : 3 * count;

@@ -29,7 +29,8 @@ struct TransformedCosine {
     bool is_clamped = false; // 0 where z' < 0; else negative there
 };
 
-// Of a lookup in a table of gonio: scaled so that the lobe above the horizon reflects its albedo.
+// Of a lookup in a table of gonio: scaled so that the lobe above the horizon reflects its albedo; of ltc-heitz as its
+// authors define it, so that the clamped lobe in all directions does.
 TransformedCosine lobe_of(TableKind kind, const TableValues& values, double n_dot_v, double roughness);
 
 // What tables of a kind are measured against: computed once, in one (dfg) to three seconds of

@@ -81,16 +81,23 @@ std::string comment(const Words& words) {
     summary.front() = to_upper(summary.front());
     std::string text = fmt::format("// {}.\n//\n", summary);
     const bool lobe = words.info().is_lobe();
+    const bool heitz = table.kind == TableKind::ltc_heitz;
     if (!lobe)
         for (const TableChannel& channel : words.info().channels)
             text += fmt::format("//   {:12} {}\n", channel.name, channel.says);
+    else if (heitz)
+        text += "// With z the normal, x = normalize(view - z dot(z, view)) and y = cross(z, x) a direction p becomes\n"
+                "// p' = (m00 x + m02 z, y, m20 x + m22 z). E' is the integral of z'/pi over what of a light is above "
+                "z' = 0\n"
+                "// after the transform. A light reflects E' * (F0 * (magnitude - fresnel) + fresnel) times its "
+                "luminance.\n";
     else
         text +=
             "// With z the normal, x = normalize(z dot(z, view) - view) and y = cross(z, x) a direction p becomes\n"
             "// p' = (m00 x + m02 z, m11 y, m20 x + m22 z). A light covers the share E'/mass of the lobe, where E' is\n"
             "// the integral of z'/pi over what it covers after the transform, without a clip there: clip the light\n"
             "// at the surface's own horizon, z = 0, before.\n";
-    if (lobe)
+    if (lobe && !heitz)
         text += words.table().kind == TableKind::ltc_ggx
                     ? "// It reflects share * (F0 * (albedo - grazing) + grazing) times the light's luminance.\n"
                     : "// It reflects share * albedo times base colour and the light's luminance.\n";
@@ -109,7 +116,7 @@ std::string structure(const Words& words) {
     const auto member = [&](std::string_view name) {
         text += fmt::format("    {}{}\n", words.number_named(name), words.in_wgsl() ? "," : ";");
     };
-    if (words.info().is_lobe()) {
+    if (words.info().is_lobe() && words.table().kind != TableKind::ltc_heitz) {
         if (words.in_wgsl())
             for (const std::string_view name : {"m00", "m02", "m11", "m20", "m22"})
                 member(name);
@@ -120,7 +127,7 @@ std::string structure(const Words& words) {
         if (words.table().kind == TableKind::ltc_ggx) member("grazing");
     } else {
         for (const TableChannel& channel : words.info().channels)
-            member(channel.name);
+            if (channel.is_of_pose) member(channel.name);
     }
     return text + (words.in_wgsl() ? "}\n" : "};\n");
 }
@@ -241,13 +248,15 @@ std::string fetch(const Words& words) {
     std::string text;
     if (table.form == TableForm::chebyshev || words.in_c()) {
         const bool polynomial = table.form == TableForm::chebyshev;
-        for (std::size_t c = 0; c < channels.size(); ++c)
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (!channels[c].is_of_pose) continue;
             text += number_of(
                 words, c,
                 polynomial ? fmt::format("{}_series({}, {} * x - {}, {} * y - {})", words.prefix(), c,
                                          words.number(2.0), words.number(1.0), words.number(2.0), words.number(1.0))
                            : fmt::format("{}_at({}, {}, {})", words.prefix(), place(words, "x", table.width),
                                          place(words, "y", table.height), c));
+        }
         return text;
     }
     const std::string u = coordinate(words, "x", table.width);
@@ -257,6 +266,7 @@ std::string fetch(const Words& words) {
     for (std::size_t layer = 0; layer < words.stored.layers.size(); ++layer) {
         text += texel(words, layer, array, u, v);
         for (std::size_t c = 0; c < words.stored.layers[layer]; ++c, ++channel) {
+            if (!channels[channel].is_of_pose) continue;
             const ChannelRange range = words.stored.ranges[channel];
             const std::string read = fmt::format("layer{}.{}", layer, std::string_view("xyzw").substr(c, 1));
             text +=
@@ -293,17 +303,23 @@ std::string lookup(const Words& words) {
     std::string text = words.opening(
         words.in_c() ? "static inline struct " : words.qualifier(), words.structure(), words.prefix() + "_lookup",
         fmt::format("{}{}, {}", parameters(words), words.number_named("n_dot_v"), words.number_named("roughness")));
-    const bool lobe = words.info().is_lobe();
+    const bool heitz = words.table().axes == TableAxes::heitz;
+    const bool lobe = words.info().is_lobe() && !heitz;
     text += fmt::format("    {} = {};\n", words.constant("mu"), words.within("n_dot_v"));
-    text += linear ? fmt::format("    {} = mu;\n", words.constant("x"))
-                   : fmt::format("    {} = {}(mu);\n", words.constant("x"), words.function("sqrt"));
-    text += fmt::format("    {} = {};\n", words.constant("y"), words.within("roughness"));
+    if (heitz) {
+        text += fmt::format("    {} = {};\n", words.constant("x"), words.within("roughness"));
+        text += fmt::format("    {} = {}({} - mu);\n", words.constant("y"), words.function("sqrt"), words.number(1.0));
+    } else {
+        text += linear ? fmt::format("    {} = mu;\n", words.constant("x"))
+                       : fmt::format("    {} = {}(mu);\n", words.constant("x"), words.function("sqrt"));
+        text += fmt::format("    {} = {};\n", words.constant("y"), words.within("roughness"));
+    }
     text += fetch(words);
     text += words.in_wgsl() ? fmt::format("    var result: {};\n", words.structure())
                             : fmt::format("    {}{} result;\n", words.in_c() ? "struct " : "", words.structure());
     if (!lobe) {
         for (const TableChannel& channel : words.info().channels)
-            text += fmt::format("    result.{0} = {0};\n", channel.name);
+            if (channel.is_of_pose) text += fmt::format("    result.{0} = {0};\n", channel.name);
         return text + "    return result;\n}\n";
     }
     const std::string one = words.number(1.0);
@@ -435,10 +451,13 @@ std::string axis_in_words(const ShadingTable& table, std::string_view value, std
 } // namespace
 
 std::string columns_in_words(const ShadingTable& table) {
+    if (table.axes == TableAxes::heitz)
+        return axis_in_words(table, "roughness", "roughness", "column", table.width, "left");
     return axis_in_words(table, "n.v", "sqrt(n.v)", "column", table.width, "left");
 }
 
 std::string rows_in_words(const ShadingTable& table) {
+    if (table.axes == TableAxes::heitz) return axis_in_words(table, "n.v", "sqrt(1 - n.v)", "row", table.height, "top");
     return axis_in_words(table, "roughness", "roughness", "row", table.height, "top");
 }
 

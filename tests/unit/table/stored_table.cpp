@@ -11,7 +11,8 @@ namespace gonio {
 namespace {
 
 ShadingTable table_of(TableKind kind) {
-    return make_shading_table(kind, TableForm::bilinear, TableAxes::root, 7, 5, 1).value();
+    const TableAxes axes = kind == TableKind::ltc_heitz ? TableAxes::heitz : TableAxes::root;
+    return make_shading_table(kind, TableForm::bilinear, axes, 7, 5, 1).value();
 }
 
 std::uint32_t number_at(const std::string& bytes, std::size_t at, int count) {
@@ -56,7 +57,10 @@ TEST(StoredTable, RawBytesReadBack) {
         for (const TablePixelInfo& pixel : table_pixels()) {
             const ShadingTable table = table_of(info.kind);
             const Result<StoredTable> stored = store_table(table, pixel.pixel);
-            EXPECT_EQ(stored.has_value(), pixel.pixel != TablePixel::rgb9e5 || !info.is_lobe()) << info.name;
+            const bool only_numbers = info.kind == TableKind::ltc_heitz; // engines take its texels as they are
+            EXPECT_EQ(stored.has_value(),
+                      (pixel.pixel != TablePixel::rgb9e5 || !info.is_lobe()) && (pixel.steps == 0.0 || !only_numbers))
+                << info.name;
             if (!stored) continue;
             ++held;
             const std::string bytes = raw_bytes(*stored);
@@ -71,7 +75,7 @@ TEST(StoredTable, RawBytesReadBack) {
             EXPECT_EQ(store_table(stored->table, pixel.pixel).value().table.values, stored->table.values)
                 << info.name << ' ' << pixel.name << ": storing twice changes nothing";
         }
-    EXPECT_EQ(held, 18);
+    EXPECT_EQ(held, 20);
 }
 
 // The number of a lobe that is almost nothing on smooth surfaces: by its root a small one has a finer step.
