@@ -446,7 +446,7 @@ Entries shader_materials() {
     return shader_parts(&ShaderFormula::material, &ShaderFormula::what);
 }
 
-// Of textures, and of tables what is no format of textures.
+// Those of textures, and then those that only tables have.
 Entries bake_formats() {
     Entries entries = images();
     for (const TableFormat& format : table_formats) {

@@ -16,8 +16,7 @@ inline constexpr std::array table_options{
            "tables"},
     Option{"--axes", "AXES",
            "linear: u = n.v, v = roughness; root: u by the square root of n.v; heitz: those of ltc-heitz (the first "
-           "that 'gonio "
-           "list tables' has)",
+           "that 'gonio list tables' has)",
            "table-axes"},
     Option{"--form", "FORM",
            "bilinear: texels; chebyshev: the coefficients of a polynomial, with -s TERMSxTERMS (bilinear)",

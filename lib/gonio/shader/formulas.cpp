@@ -530,23 +530,21 @@ constexpr std::string_view heitz = "Heitz, JCGT 3(2), 2014; Schlick 1994";
 
 constexpr std::string_view kulla_and_conty =
     "Kulla and Conty, Revisiting Physically Based Shading at Imageworks, 2017. Albedos: gonio bake --table kulla-conty";
-constexpr std::string_view visible_normals_or_cosine = "Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical "
-                                                       "Caps, 2023, and cosine sampling. albedo_view: gonio "
-                                                       "bake --table kulla-conty";
+constexpr std::string_view visible_normals_or_cosine =
+    "Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023, and cosine sampling. albedo_view: "
+    "gonio bake --table kulla-conty";
 
 constexpr std::string_view by_rows =
     "the lobe summed over rows of points that the transformed cosine of Heitz et al., ACM TOG 35(4), 2016, places, and "
     "corrected by its exact share. leaning and reflected: gonio bake --table ltc-ggx";
 constexpr std::string_view exact_and_by_rows =
     "the diffuse part by the exact irradiance; the lobe summed over rows of points that the transformed cosine of "
-    "Heitz "
-    "et al., ACM TOG 35(4), 2016, places, and corrected by its exact share. leaning and reflected: gonio bake --table "
-    "ltc-ggx";
-constexpr std::string_view mean_and_by_rows = "the diffuse part by the exact irradiance and the mean of its factor "
-                                              "over points of the light; the lobe summed over "
-                                              "rows of points that the transformed cosine of Heitz et al., ACM TOG "
-                                              "35(4), 2016, places, and corrected by its exact "
-                                              "share. leaning and reflected: gonio bake --table ltc-ggx";
+    "Heitz et al., ACM TOG 35(4), 2016, places, and corrected by its exact share. leaning and reflected: gonio bake "
+    "--table ltc-ggx";
+constexpr std::string_view mean_and_by_rows =
+    "the diffuse part by the exact irradiance and the mean of its factor over points of the light; the lobe summed "
+    "over rows of points that the transformed cosine of Heitz et al., ACM TOG 35(4), 2016, places, and corrected by "
+    "its exact share. leaning and reflected: gonio bake --table ltc-ggx";
 constexpr std::string_view by_stretched_rows =
     "the lobe summed over rows of points that a transformed cosine places: that of the isotropic lobe as wide in the "
     "plane of normal and view, stretched and sheared. leaning and reflected: gonio bake --table ltc-ggx";
@@ -555,8 +553,9 @@ constexpr std::string_view by_share =
     "correct it. leaning and reflected: gonio bake --table ltc-ggx";
 
 constexpr std::string_view uniform_cone = "Uniform in the solid angle of the cone";
-constexpr std::string_view urena = "Urena, Fajardo and King, An Area-Preserving Parametrization for Spherical "
-                                   "Rectangles, Computer Graphics Forum 32(4), 2013; far ones by area";
+constexpr std::string_view urena =
+    "Urena, Fajardo and King, An Area-Preserving Parametrization for Spherical Rectangles, Computer Graphics Forum "
+    "32(4), 2013; far ones by area";
 constexpr std::string_view spherical_ellipse =
     "uniform along the radius of the spherical ellipse, and within a few percent around it, by a table of 16 steps; "
     "after Guillen et al., Area-Preserving Parameterizations for Spherical Ellipses, Computer Graphics Forum 36(4), "

@@ -143,9 +143,8 @@ double cut_sphere(double cosine, double whole) {
 }
 
 // Of one axis, in [0, 1]: the place of a texel or of a node of the polynomial.
-double place_of(TableForm form, TableAxes axes, int index, int count) {
+double place_of(TableForm form, int index, int count) {
     if (form == TableForm::chebyshev) return 0.5 - 0.5 * std::cos(std::numbers::pi * (index + 0.5) / count);
-    if (axes == TableAxes::linear) return (index + 0.5) / count;
     return static_cast<double>(index) / (count - 1);
 }
 
@@ -353,9 +352,9 @@ Result<ShadingTable> make_shading_table(TableKind kind, TableForm form, TableAxe
     const auto rows = static_cast<std::size_t>(height);
     std::vector<double> values(columns * rows * count);
     parallel_for(rows, threads, [&](std::size_t row) {
-        const double y = place_of(form, axes, static_cast<int>(row), height);
+        const double y = place_of(form, static_cast<int>(row), height);
         for (std::size_t column = 0; column < columns; ++column) {
-            const auto [mu, roughness] = pose_at(axes, place_of(form, axes, static_cast<int>(column), width), y);
+            const auto [mu, roughness] = pose_at(axes, place_of(form, static_cast<int>(column), width), y);
             // The mean is the same in the whole row, and takes as long as 24 of its texels.
             if (kind == TableKind::kulla_conty && column > 0) {
                 values[(row * columns + column) * count] = split_sum(std::max(mu, least_n_dot_v), roughness).albedo();
