@@ -95,7 +95,7 @@ inline void label_sums(Function& f, const core::detail::PointSums<S>& sums, std:
 }
 template<class Points>
 void label_points(Function& f, const Points& points, Vector v) {
-    points.for_each([&](Vector p, S strength) {
+    points.for_each([&](Vector p, S strength, auto... /*by_cosine*/) {
         f.label("p", p);
         f.label("strength", strength);
         const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-18)));
@@ -134,7 +134,7 @@ void rows_stages(Function& f, const Highlight& highlight, const Lobe<S>& lobe, c
     using Cosine = std::remove_cvref_t<decltype(pose.cosine)>;
     const core::detail::RowPoints<S, Region, Lobe<S>, Cosine> rows(region, pose.cosine, lobe, pose.v);
     label_points(f, rows, pose.v);
-    constexpr auto which = Lobe<S>::is_even ? CosineSum::whole : CosineSum::none;
+    constexpr auto which = Lobe<S>::is_even ? CosineSum::of_rows : CosineSum::none;
     label_sums(f, core::detail::point_sums<which>(rows, lobe, pose.cosine, pose.v), "rows_",
                "Along rows of points that the cosine places in the light: the lobe itself, and the cosine.");
     f.returns(highlight.luminance(core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of)));

@@ -81,7 +81,9 @@ struct CosinePowerLobe {
     S alpha, power;
 
     GONIO_FORCE_INLINE S value(vec3<S> /*l*/, vec3<S> /*v*/, const HalfVector<S>& h) const {
-        return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
+        const S inverse = S(1) / h.square;
+        return (power + S(2)) * S(0.125 * std::numbers::inv_pi) *
+               cosine_power(simd::sqrt(h.along2 * inverse), h.across2 * inverse, power);
     }
     // Without shadowing V is 1/4; this is its ratio to the V of GGX for light from the mirrored eye.
     GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {

@@ -11,25 +11,24 @@
 
 namespace gonio::shading {
 
-// The position of a half vector relative to the normal, for directions in the surface's own frame: shares of the square
-// of its length.
+// The sum s = l + v of two directions in the surface's own frame, along their half vector.
 template<class S>
 struct HalfVector {
-    S along2;  // (n·h)²
-    S across2; // ‖n×h‖², which does not cancel
-    S l_dot_h;
-    vec3<S> sum; // l + v, for lobes that are not the same in all directions
-    S square;    // of its length
+    vec3<S> sum;
+    S along2;  // (n·s)²
+    S across2; // ‖n×s‖², which does not cancel
+    S square;  // |s|²
+    S l_dot_h; // |s|/2
 };
 
 // l and v are of unit length, in a frame with the normal as z. Any value where both are in the surface and opposite.
 template<class S>
 GONIO_FORCE_INLINE HalfVector<S> half_vector(vec3<S> l, vec3<S> v) {
-    const vec3<S> h = l + v;
-    const S across2 = simd::mul_add(h.x, h.x, h.y * h.y);
-    const S square = simd::max(simd::mul_add(h.z, h.z, across2), S(1e-36));
-    const S inverse = S(1) / square;
-    return {h.z * h.z * inverse, across2 * inverse, S(0.5) * simd::sqrt(square), h, square};
+    const vec3<S> s = l + v;
+    const S along2 = s.z * s.z;
+    const S across2 = simd::mul_add(s.x, s.x, s.y * s.y);
+    const S square = simd::max(along2 + across2, S(1e-36));
+    return {s, along2, across2, square, S(0.5) * simd::sqrt(square)};
 }
 
 // Slopes of half vectors over the width of a lobe that is the same in all directions.
@@ -49,10 +48,13 @@ struct GgxLobe {
 
     // The lobe [1/sr] for F = 1 in the surface's own frame; n·l, n·v > 0.
     GONIO_FORCE_INLINE S value(vec3<S> l, vec3<S> v, const HalfVector<S>& h) const {
-        const S t = simd::mul_add(alpha * alpha, h.along2, h.across2);
         const S of_v = l.z * widened_cosine_ggx(v.z, alpha);
         const S of_l = v.z * widened_cosine_ggx(l.z, alpha);
-        return alpha * alpha * S(0.5 * std::numbers::inv_pi) / (t * t * (of_v + of_l));
+        // D V with one division; the power of two keeps the denominator a float where l and v are almost opposite.
+        constexpr double scale = 0x1p40;
+        const S t = simd::mul_add(alpha * alpha, h.along2, h.across2) * S(scale);
+        const S s2 = h.square * S(scale);
+        return alpha * alpha * S(0.5 * std::numbers::inv_pi) * (s2 * s2) / simd::max(t * t * (of_v + of_l), S(1e-36));
     }
     // The ratio of this lobe's directional albedo to that of the GGX lobe with the same α.
     GONIO_FORCE_INLINE S albedo_share(S /*n_dot_v*/) const { return S(1); }

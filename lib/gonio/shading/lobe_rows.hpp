@@ -489,8 +489,6 @@ struct Extremes {
     }
 };
 
-inline constexpr std::size_t most_row_points = 30; // a tube's
-
 // The rule over ω: more rows for a lobe whose ridge may bend.
 template<class S, class Region, bool is_even>
 struct RowRule {
@@ -557,7 +555,8 @@ public:
         strength_ = simd::select(empty, S(0), inverse * back_.inverse_m11);
     }
 
-    // work(p, strength) for each point; the receiver sees it under the solid angle strength/|p|³.
+    // work(p, strength, by_cosine) for each point; the receiver sees it under the solid angle strength/|p|³, and
+    // by_cosine is the transformed cosine times that, strength (M p)_z/|M p|⁴.
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         const Fan<S> around(first_, last_);
@@ -628,12 +627,15 @@ private:
         const S to = clamped(part.to);
         const Fan<S> along(normalized(vec2<S>{width, from}), normalized(vec2<S>{width, to}));
         const S strength = simd::select(from < to, strength_ * turn * width, S(0));
-        // The direction at τ = least + width·y/x, times x.
+        // The direction at τ = least + width·y/x, times x. Transformed it is x B + t A with t = x τ, where A is level.
         const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
         const vec3<S> by_y = toward_axis_ * width;
+        const S rising = strength * base.z;
 
         const auto place = [&](vec2<S> at, S angle) __attribute__((always_inline)) {
-            work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength);
+            const S t = simd::mul_add(least, at.x, width * at.y);
+            const S ratio = at.x / simd::mul_add(t, t, at.x * at.x);
+            work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength, rising * angle * ratio * ratio);
         };
         if constexpr (simd::is_recorded<S>) {
             along.for_each(in_order(LobeRule<S>::five, LobeRule<S>::middle), place);

@@ -55,16 +55,17 @@ struct PointSums {
     S by_cosine; // ∫ of the transformed cosine that approximates the lobe, up to a factor
 };
 
-// What by_cosine sums: nothing, the cosine with its sign, as its exact share does (ltc_lobe.hpp), or where it is
-// positive.
-enum class CosineSum { none, whole, positive };
+// What by_cosine sums: nothing, the cosine with its sign, as its exact share does (ltc_lobe.hpp), which rows know, or
+// the cosine where it is positive.
+enum class CosineSum { none, of_rows, positive };
 
+// `points` are those of a light (light_points.hpp) or RowPoints, which also know the cosine.
 template<CosineSum which, class S, class Points, class Lobe, bool sheared>
 GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
                                            vec3<S> v) {
     PointSums<S> sums{S(0), S(0), S(0)};
     constexpr double least = 1e-18; // its cube is still a float
-    points.for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
+    points.for_each([&](vec3<S> p, S strength, auto... by_cosine) __attribute__((always_inline)) {
         const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
         const vec3<S> l = p * inverse;
         const auto lit = above_surface(l.z);
@@ -74,19 +75,20 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
         const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
         simd::accumulate(sums.value, value);
         simd::accumulate_product(sums.grazing, value, schlick_weight(h.l_dot_h));
-        if constexpr (which != CosineSum::none) {
+        if constexpr (which == CosineSum::of_rows) {
+            (simd::accumulate(sums.by_cosine, by_cosine), ...);
+        } else if constexpr (which == CosineSum::positive) {
             const vec3<S> q = cosine(l);
             const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
-            const S n_dot_q = which == CosineSum::positive ? simd::max(q.z, S(0)) : q.z;
-            simd::accumulate_product(sums.by_cosine, n_dot_q * inverse_q * inverse_q, solid_angle);
+            simd::accumulate_product(sums.by_cosine, simd::max(q.z, S(0)) * inverse_q * inverse_q, solid_angle);
         }
     });
     return sums;
 }
 
 // The same for points of any light: not inlined, where kernels are to be small.
-template<CosineSum which, class S, class Lobe, std::size_t most, bool sheared>
-[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, most>& points, const Lobe& lobe,
+template<CosineSum which, class S, class Lobe, bool of_rows, bool sheared>
+[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, of_rows>& points, const Lobe& lobe,
                                     const LtcLobe<S, sheared>& cosine, const vec3<S>& v, PointSums<S>& sums) {
     sums = point_sums<which>(points, lobe, cosine, v);
 }
@@ -95,8 +97,7 @@ GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe
                                           vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
     if constexpr (!simd::is_recorded<S>) {
-        GatheredPoints<S, which == CosineSum::whole ? most_row_points : most_light_points>
-            gathered; // of rows, or of a light
+        GatheredPoints<S, which == CosineSum::of_rows> gathered;
         gathered.gather(points);
         PointSums<S> sums;
         sum_gathered<which>(gathered, lobe, cosine, v, sums);
@@ -271,7 +272,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         const auto region = detail::region_of(cosine, points, light, frame, to_center);
         const detail::RowPoints<S, decltype(region), Lobe<S>, std::remove_cvref_t<decltype(cosine)>> rows(
             region, cosine, lobe, v);
-        constexpr auto which = Lobe<S>::is_even ? detail::CosineSum::whole : detail::CosineSum::none;
+        constexpr auto which = Lobe<S>::is_even ? detail::CosineSum::of_rows : detail::CosineSum::none;
         const detail::PointSums<S> sums = detail::sums_over<which>(rows, lobe, cosine, v);
         S by_rows = sums.value;
         S k = cosine.albedo * lobe.albedo_share(v.z);

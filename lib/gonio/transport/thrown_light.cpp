@@ -37,7 +37,7 @@ glm::vec3 value_of(const ThrowingLobe& lobe, const glm::vec3& n, const glm::vec3
     const float along = glm::dot(n, h);
     const glm::vec3 across = glm::cross(n, h);
     const shading::HalfVector<float> half{
-        along * along / square, glm::dot(across, across) / square, 0.5F * std::sqrt(square), {h.x, h.y, h.z}, square};
+        {h.x, h.y, h.z}, along * along, glm::dot(across, across), square, 0.5F * std::sqrt(square)};
     const float alpha = std::sqrt(alpha2);
     const float value = lobe.is_ggx
                             ? shading::GgxLobe<float>{alpha}.value({0.0F, 0.0F, n_dot_l}, {0.0F, 0.0F, n_dot_v}, half)
