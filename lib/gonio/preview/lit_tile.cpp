@@ -49,8 +49,15 @@ void LitTile::light_up() {
     count_samples();
     if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
     if (options_.error > 0.0)
-        for (const SurfaceSamples& samples : tile_.surfaces())
-            known_.push_back({std::vector<Amounts>(samples.size()), std::vector<Amounts>(samples.size())});
+        for (const SurfaceSamples& samples : tile_.surfaces()) {
+            Known& known = known_.emplace_back();
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                known.light[channel].resize(samples.size());
+                known.error[channel].resize(samples.size());
+            }
+            known.lobe = LobeVariation::of(scene_.core_materials[samples.surface]);
+            known.views.resize(samples.chunks.size());
+        }
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -402,11 +409,11 @@ void LitTile::note(Known& known, const SurfaceSamples::Chunk& chunk, const float
                    const Visible* visible) const {
     for (std::size_t i = 0; i < chunk.count; ++i) {
         if (weight[i] == 0.0F) continue; // hidden, or on the edge of a shadow
-        Amounts& light = known.light[chunk.first + i];
         const Visible through = visible == nullptr ? Visible() : visible[i];
         for (std::size_t channel = 0; channel < 3; ++channel)
-            light[channel] += through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
-        if (options_.illuminance) light[3] += through.lx * shader_.lx()[i];
+            known.light[channel][chunk.first + i] +=
+                through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
+        if (options_.illuminance) known.light[3][chunk.first + i] += through.lx * shader_.lx()[i];
     }
 }
 
@@ -444,7 +451,7 @@ void LitTile::shade_far() {
         std::size_t failed = 0; // one after the other
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if (adds_from_center(light, first->surface, chunk)) {
+            if (adds_as_point(light, first->surface, first->chunk) || adds_from_center(light, first->surface, chunk)) {
                 failed = 0;
                 continue;
             }
@@ -459,11 +466,32 @@ void LitTile::shade_far() {
     }
 }
 
-// All light is ≥ 0: the error may be a share of what is known of it, since more can only come.
+bool LitTile::adds_as_point(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk) {
+    Known& known = known_[of_surface];
+    if (!known.lobe) return false;
+    const SurfaceSamples& samples = tile_.surfaces()[of_surface];
+    const SurfaceSamples::Chunk& chunk = samples.chunks[of_chunk];
+    std::optional<ViewBounds>& views = known.views[of_chunk];
+    if (!views) views.emplace(samples, chunk.first, chunk.count);
+    const PointForm form = point_form(light, chunk.bounds, *views, *known.lobe);
+    if (!form.is_bounded()) return false;
+    shader_.shade_as_point(light, form, samples, chunk.first, chunk.count);
+    if (!adds_shaded(of_surface, chunk)) return false;
+    stats_.as_point += chunk.count;
+    return true;
+}
+
 bool LitTile::adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk) {
+    shader_.shade_from_center(light, tile_.surfaces()[of_surface], chunk.first, chunk.count);
+    if (!adds_shaded(of_surface, chunk)) return false;
+    stats_.from_center += chunk.count;
+    return true;
+}
+
+// All light is ≥ 0: the error may be a share of what is known of it, since more can only come.
+bool LitTile::adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk) {
     const SurfaceSamples& samples = tile_.surfaces()[of_surface];
     Known& known = known_[of_surface];
-    shader_.shade_from_center(light, samples, chunk.first, chunk.count);
     const std::size_t channels = options_.illuminance ? 4 : 3;
     const auto values = [&](std::size_t channel) {
         return channel < 3 ? shader_.rgb()[channel].data() : shader_.lx().data();
@@ -475,25 +503,29 @@ bool LitTile::adds_from_center(const LitLight& light, std::size_t of_surface, co
     for (std::size_t channel = 0; channel < channels; ++channel) {
         const float* const value = values(channel);
         const float* const error = errors(channel);
-        bool fits = true;
+        const float* const light_so_far = known.light[channel].data() + chunk.first;
+        const float* const error_so_far = known.error[channel].data() + chunk.first;
+        unsigned misfits = 0; // counted, not branched on, so that it runs in packs
         for (std::size_t i = 0; i < chunk.count; ++i) {
-            const float light_so_far = known.light[chunk.first + i][channel];
-            const float error_so_far = known.error[chunk.first + i][channel];
-            fits = fits && error_so_far + error[i] <= most * (light_so_far + std::max(value[i] - error[i], 0.0F));
+            const float least = value[i] - error[i];
+            const float sure = least > 0.0F ? least : 0.0F;
+            misfits += error_so_far[i] + error[i] <= most * (light_so_far[i] + sure) ? 0U : 1U;
         }
-        if (!fits) return false;
+        if (misfits > 0) return false;
     }
     for (std::size_t channel = 0; channel < channels; ++channel) {
         const float* const value = values(channel);
         const float* const error = errors(channel);
+        float* const light_so_far = known.light[channel].data() + chunk.first;
+        float* const error_so_far = known.error[channel].data() + chunk.first;
         for (std::size_t i = 0; i < chunk.count; ++i) {
-            known.light[chunk.first + i][channel] += std::max(value[i] - error[i], 0.0F);
-            known.error[chunk.first + i][channel] += error[i];
+            const float least = value[i] - error[i];
+            light_so_far[i] += least > 0.0F ? least : 0.0F;
+            error_so_far[i] += error[i];
         }
     }
     stats_.shadow_tests += chunk.count;
     stats_.evaluated += chunk.count;
-    stats_.from_center += chunk.count;
     add_shaded(samples, chunk.first, chunk.count, samples.share.data() + chunk.first, nullptr);
     return true;
 }

@@ -226,4 +226,24 @@ WebVariation::WebVariation(const Web& web) {
             bounds_between(grid, is_mirrored_, gamma_at(bin) - reach_rad - room, gamma_at(bin + 1) + reach_rad + room);
 }
 
+WebVariation::Bounds WebVariation::over(double least, double most) const {
+    std::size_t first = bin_of(most);
+    std::size_t last = bin_of(least);
+    if (is_mirrored_) { // the half that is stored has cosines ≤ 0
+        const bool has_equator = least <= 0.0 && most >= 0.0;
+        const double low = has_equator ? 0.0 : std::min(std::abs(least), std::abs(most));
+        first = bin_of(-low);
+        last = bin_of(-std::max(std::abs(least), std::abs(most)));
+    }
+    Bounds all = bounds_[first];
+    for (std::size_t bin = first + 1; bin <= last; ++bin) {
+        const Bounds& more = bounds_[bin];
+        all.slope = std::max(all.slope, more.slope);
+        all.kink = std::max(all.kink, more.kink);
+        all.curve = std::max(all.curve, more.curve);
+        all.bend_rad = std::min(all.bend_rad, more.bend_rad);
+    }
+    return all;
+}
+
 } // namespace gonio::detail

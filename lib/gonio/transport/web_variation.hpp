@@ -48,6 +48,8 @@ public:
     const glm::dvec3& axis() const { return axis_; }
     // At directions with this cosine of the angle from the axis, in [−1, 1].
     const Bounds& at(double cosine) const { return bounds_[bin_of(is_mirrored_ ? -std::abs(cosine) : cosine)]; }
+    // Over all cosines in a range.
+    Bounds over(double least, double most) const;
 
 private:
     static constexpr std::size_t bins = 128; // uniform in the cosine

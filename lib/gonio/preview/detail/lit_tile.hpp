@@ -4,6 +4,7 @@
 #include <gonio/preview/detail/tile_samples.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/point_form.hpp>
 #include <gonio/transport/sample_shader.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -60,8 +62,12 @@ private:
     // The chunks of a group that are so far from the light that it may be seen from its centre are left for later.
     void set_aside(std::uint32_t index, Group& group);
     void shade_far();
-    // Whether the light from its centre stays within the error at every point of the chunk; adds it if so.
+    // Whether the light as a point, or from its centre, stays within the error at every point of the chunk; adds it if
+    // so.
+    bool adds_as_point(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk);
     bool adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
+    // The same for what the shader gave with a bound.
+    bool adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
     void shade_edges(const LitLight& light);
     // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its
     // share.
@@ -90,10 +96,12 @@ private:
 
     // With RenderOptions::error, what every sample has got so far and how far that may be from the exact light: three
     // channels and lux. The former is never more than the exact light.
-    using Amounts = std::array<float, 4>;
+    using Amounts = std::array<std::vector<float>, 4>; // of all samples
     struct Known {
-        std::vector<Amounts> light;
-        std::vector<Amounts> error;
+        Amounts light;
+        Amounts error;
+        std::optional<LobeVariation> lobe;
+        std::vector<std::optional<ViewBounds>> views; // of each chunk
     };
     std::vector<Known> known_; // for each surface of the tile
     // A light and a chunk far away.
