@@ -25,7 +25,7 @@ namespace gonio::detail {
 namespace {
 
 // Times the error: how large a light may be, over its distance, to be seen from its centre.
-constexpr double farthest_part = 10.0;
+constexpr double farthest_part = 25.0;
 // Lights that are too near for the error, before the nearest of those that are left are taken as they are.
 constexpr std::size_t most_failed = 2;
 
@@ -425,6 +425,10 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
     const double most = std::min(farthest_part * options_.error, WebVariation::reach_rad);
     const auto is_far = [&](std::uint32_t chunk) {
         const SampleBounds& bounds = group.samples->chunks[chunk].bounds;
+        if (is_web_dark(light, bounds)) {
+            stats_.outside_cone += group.samples->chunks[chunk].count;
+            return true;
+        }
         const double away = glm::length(light.reach.center - glm::clamp(light.reach.center, bounds.low, bounds.high));
         if (!(light.reach.body_radius < most * away)) return false;
         far_.push_back({light.reach.body_radius / away, index,

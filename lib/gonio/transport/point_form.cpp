@@ -25,10 +25,9 @@ struct Pose {
     double least_cosine = 0.0;  // c = n·l of the centre
     double most_cosine = 1.0;
     double tilt = 1.0;          // sine of the angle between the normal and the axis of the light
-    double least_axial = -1.0;  // cosine of the angle at the light from the axis of the web
-    double most_axial = 1.0;
     double least_half = 0.0;    // l·h, h halfway between the light and the eye
     double most_half = 1.0;
+    bool is_in_front = false;   // all points are in front of the light's plane
 };
 
 // Bounds of the first and the second derivative of the logarithm of a factor, with respect to τ (see below).
@@ -162,36 +161,69 @@ struct MeanSquare {
     }
 };
 
-std::optional<Pose> pose_of(const LitLight& light, const SampleBounds& points, const glm::dvec3& web_axis) {
+// Within the reach of a web's bounds, and small enough for asin ρ ≤ 1.0013 ρ, 1/(1 − ρ²) ≤ 1.003 and
+// (1 − ρ)⁻⁴ ≤ 1 + 4.6 ρ.
+constexpr double farthest_part = 0.0499;
+static_assert(farthest_part * 1.0013 < WebVariation::reach_rad);
+
+// The directions from the centre of a light to points.
+struct Directions {
+    glm::dvec3 to_points{0.0}; // to the middle of their bounds [m]
+    double middle_m = 0.0;     // its length
+    double near_m = 0.0;       // the least distance
+    double spread_rad = 0.0;   // of the points about the middle
+    double part = unbounded;   // ρ
+};
+
+// Nothing for points that are too near.
+std::optional<Directions> directions_to(const LitLight& light, const SampleBounds& points) {
+    Directions found;
     const glm::dvec3 center = light.reach.center;
-    const glm::dvec3 to_points = points.center - center;
-    const double middle_m = glm::length(to_points);
-    const double near_m = glm::length(center - glm::clamp(center, points.low, points.high)) * (1.0 - room);
-    const double far_m = (middle_m + points.radius) * (1.0 + room);
-    if (!(near_m > 0.0 && points.radius < middle_m)) return std::nullopt;
-    Pose pose;
-    pose.part = light.reach.body_radius / near_m * (1.0 + room);
-    // In front of the light: its whole plane is behind the points.
+    found.to_points = points.center - center;
+    found.middle_m = glm::length(found.to_points);
+    if (!(points.radius < found.middle_m)) return std::nullopt;
+    found.near_m = glm::length(center - glm::clamp(center, points.low, points.high)) * (1.0 - room);
+    found.part = light.reach.body_radius / found.near_m * (1.0 + room);
+    if (!(found.part < farthest_part)) return std::nullopt;
+    found.spread_rad = std::asin(points.radius / found.middle_m);
+    return found;
+}
+
+// The web of a face of a flat opening.
+const WebVariation* flat_web(const LitLight& light) {
+    const FaceEmission* const emission = light.light.emission.get();
+    if (!light.luminance || emission == nullptr || !(emission->body->flat_area_m2() > 0.0)) return nullptr;
+    const WebVariation* const variation = light.luminance->variation();
+    return variation != nullptr && variation->is_bounded() ? variation : nullptr;
+}
+
+WebVariation::Bounds web_towards(const LitLight& light, const WebVariation& variation, const Directions& to) {
+    const glm::dvec3 axis = light.light.emission->luminaire.to_world(variation.axis());
+    const double angle = std::acos(std::clamp(glm::dot(axis, to.to_points) / to.middle_m, -1.0, 1.0));
+    const double more = to.spread_rad + room;
+    return variation.over(of_range(angle + more), of_range(angle - more));
+}
+
+std::optional<Pose> pose_of(const LitLight& light, const SampleBounds& points, const Directions& to) {
+    const double far_m = (to.middle_m + points.radius) * (1.0 + room);
     const glm::dvec3 half = 0.5 * (points.high - points.low);
+    Pose pose;
+    pose.part = to.part;
     const glm::dvec3 out = -light.light.frame.z;
-    if (!(glm::dot(out, to_points) - glm::dot(glm::abs(out), half) > room * far_m)) return std::nullopt;
-    const double spread = std::asin(std::min(points.radius / middle_m, 1.0));
+    pose.is_in_front = glm::dot(out, to.to_points) - glm::dot(glm::abs(out), half) > room * far_m;
     if (points.flat) {
-        const double height_m = glm::dot(points.normal, center);
+        const double height_m = glm::dot(points.normal, light.reach.center);
         const double most_m = glm::dot(points.normal, points.center) + glm::dot(glm::abs(points.normal), half);
         pose.least_cosine = (height_m - most_m) / far_m - room;
-        pose.most_cosine = std::min(1.0, (height_m - points.least_height) / near_m + room);
+        pose.most_cosine = std::min(1.0, (height_m - points.least_height) / to.near_m + room);
         pose.tilt = std::min(1.0, glm::length(glm::cross(points.normal, light.light.frame.z)) + room);
     } else {
-        const double angle = std::acos(std::clamp(-glm::dot(points.normal, to_points) / middle_m, -1.0, 1.0));
-        const double more = spread + std::asin(points.spread_sin) + room;
+        const double angle = std::acos(std::clamp(-glm::dot(points.normal, to.to_points) / to.middle_m, -1.0, 1.0));
+        const double more = to.spread_rad + std::asin(points.spread_sin) + room;
         pose.least_cosine = of_range(angle + more) - room;
         pose.most_cosine = of_range(angle - more);
     }
     if (!(pose.least_cosine > pose.part)) return std::nullopt;
-    const double axial = std::acos(std::clamp(glm::dot(web_axis, to_points) / middle_m, -1.0, 1.0));
-    pose.least_axial = of_range(axial + spread + room);
-    pose.most_axial = of_range(axial - spread - room);
     return pose;
 }
 
@@ -233,30 +265,31 @@ ViewBounds::ViewBounds(const SurfaceSamples& samples, std::size_t first, std::si
     angle_rad = std::acos(std::clamp(least - room, -1.0, 1.0));
 }
 
+bool is_web_dark(const LitLight& light, const SampleBounds& points) {
+    const WebVariation* const variation = flat_web(light);
+    if (variation == nullptr) return false;
+    const std::optional<Directions> to = directions_to(light, points);
+    return to && !(web_towards(light, *variation, *to).most > 0.0);
+}
+
 PointForm point_form(const LitLight& light, const SampleBounds& points, const ViewBounds& views,
                      const LobeVariation& lobe) {
-    const FaceEmission* const emission = light.light.emission.get();
-    if (!light.luminance || emission == nullptr || !(emission->body->flat_area_m2() > 0.0)) return {};
-    const WebVariation* const variation = light.luminance->variation();
-    if (variation == nullptr || !variation->is_bounded()) return {};
-    const std::optional<Pose> seen = pose_of(light, points, emission->luminaire.to_world(variation->axis()));
-    // Within the reach of the web's bounds, and small enough for asin ρ ≤ 1.0013 ρ, 1/(1 − ρ²) ≤ 1.003 and
-    // (1 − ρ)⁻⁴ ≤ 1 + 4.6 ρ.
-    constexpr double farthest_part = 0.0499;
-    static_assert(farthest_part * 1.0013 < WebVariation::reach_rad);
-    if (!seen || !(seen->part < farthest_part)) return {};
+    const WebVariation* const variation = flat_web(light);
+    if (variation == nullptr) return {};
+    const std::optional<Directions> to = directions_to(light, points);
+    if (!to) return {};
+    const std::optional<Pose> seen = pose_of(light, points, *to);
+    if (!seen) return {};
     Pose pose = *seen;
     const double mean_square = std::visit(MeanSquare(), light.light.shape);
     double shape = 0.0;
     if (lobe.has_lobe || lobe.linear_roughness >= 0.0) {
-        const glm::dvec3 to_light = light.reach.center - points.center;
-        const double middle_m = glm::length(to_light);
-        const double between = std::acos(std::clamp(glm::dot(to_light, views.axis) / middle_m, -1.0, 1.0));
-        const double spread =
-            views.angle_rad + std::asin(std::min(points.radius / middle_m, 1.0)) + 1.0013 * pose.part + room;
+        const double between = std::acos(std::clamp(-glm::dot(to->to_points, views.axis) / to->middle_m, -1.0, 1.0));
+        const double spread = views.angle_rad + to->spread_rad + 1.0013 * pose.part + room;
         pose.least_half = of_range(0.5 * std::min(between + spread, std::numbers::pi));
         pose.most_half = of_range(0.5 * std::max(between - spread, 0.0));
-        if (!(pose.least_half > 0.01)) return {};
+        constexpr double least_half = 0.01; // against the light, κ has no bound
+        if (!(pose.least_half > least_half)) return {};
         // The cosines of all places of the light, too.
         pose.least_cosine -= pose.part;
         pose.most_cosine = std::min(1.0, pose.most_cosine + pose.part);
@@ -273,37 +306,33 @@ PointForm point_form(const LitLight& light, const SampleBounds& points, const Vi
     }
     if (!(shape < 1.0)) return {};
 
+    const double scale = light.light.web_scale;
+    const WebVariation::Bounds web = web_towards(light, *variation, *to);
+    // Points in front of the light's plane and behind it: both the light and the point give 0 to the most of the web.
+    if (!pose.is_in_front) return {0.0, scale * web.most * (1.0 + shape) * (1.0 + pose.part)};
+
     // As in LuminancePattern::from_center(), times the projected area: of a place |L(x) − L(0)| ≤ Iρ + Sη(1 + ρ), of a
     // pair C; each separately as a share of I and in candela. The mean of τ over the light is at most the root of the
     // mean of τ².
     const double part = pose.part;
     const double turn_rad = 1.0013 * part;
-    const WebVariation::Bounds web = variation->over(pose.least_axial, pose.most_axial);
-    const double scale = light.light.web_scale;
     const double change = scale * web.slope * turn_rad;
-    double of_share = part;
-    double of_cd = change * (1.0 + part);
+    const double place_share = part;
+    const double place_cd = change * (1.0 + part);
+    double mean_share = place_share;
+    double mean_cd = place_cd;
     const double weight = (1.0 + pose.tilt * part / pose.least_cosine) * (1.0 + 4.6 * part) - 1.0;
     if (turn_rad < web.bend_rad && weight < 0.5) {
         const double kinked = std::sqrt(mean_square) * scale * turn_rad * web.kink;
         const double bent = mean_square * (scale * turn_rad * turn_rad * web.curve +
                                            1.003 * scale * web.slope * part * part + 2.0 * change * part);
-        const double pair_share = (mean_square * (0.5 * part * part + weight * part)) / (1.0 - weight);
-        const double pair_cd =
-            (0.5 * (kinked + bent) + mean_square * weight * change * (1.0 + part)) / (1.0 - weight);
-        if (lobe.has_lobe) {
-            // A lobe shows a place of the light, but the mean where it is wider (along_lobes()).
-            const double narrow = 2.0 * part * part / (part * part + 4.0 * lobe.alpha * lobe.alpha);
-            of_share = pair_share + narrow * of_share;
-            of_cd = pair_cd + narrow * of_cd;
-        } else {
-            of_share = pair_share;
-            of_cd = pair_cd;
-        }
-    } else if (lobe.has_lobe) {
-        of_share *= 3.0;
-        of_cd *= 3.0;
+        mean_share = mean_square * (0.5 * part * part + weight * part) / (1.0 - weight);
+        mean_cd = (0.5 * (kinked + bent) + mean_square * weight * place_cd) / (1.0 - weight);
     }
+    // A lobe shows a place of the light, but the mean where it is wider (along_lobes()).
+    const double narrow = lobe.has_lobe ? 2.0 * part * part / (part * part + 4.0 * lobe.alpha * lobe.alpha) : 0.0;
+    const double of_share = mean_share + narrow * place_share;
+    const double of_cd = mean_cd + narrow * place_cd;
     return {shape + of_share * (1.0 + shape), of_cd * (1.0 + shape)};
 }
 

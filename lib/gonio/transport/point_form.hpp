@@ -51,8 +51,12 @@ struct PointForm {
     bool is_bounded() const { return share < 1.0 && cd < std::numeric_limits<double>::infinity(); }
 };
 
-// Unbounded for lights other than faces of flat openings, where the light is not all above the horizon of all points and
-// all points in front of it, and where it is too near. Neither fails nor allocates.
+// Whether no point within the bounds gets light from a face of a flat opening, since its web is dark towards all of them
+// from every place of the face. False for other lights.
+bool is_web_dark(const LitLight& light, const SampleBounds& points);
+
+// Unbounded for lights other than faces of flat openings, where the light is not all above the horizon of all points, and
+// where it is too near. Neither fails nor allocates.
 PointForm point_form(const LitLight& light, const SampleBounds& points, const ViewBounds& views,
                      const LobeVariation& lobe);
 

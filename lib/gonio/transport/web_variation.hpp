@@ -37,6 +37,7 @@ public:
         double kink = 0.0;     // J [cd/rad]
         double curve = 0.0;    // Q [cd/rad²]
         double bend_rad = 0.0; // the greatest η of J and Q; 0 where they are no bounds, as at the poles
+        double most = 0.0;     // intensity, up to reach_rad away [cd]
     };
 
     // No bounds at all for a web that ends at a longitude at which it is not dark.
