@@ -431,8 +431,9 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
         }
         const double away = glm::length(light.reach.center - glm::clamp(light.reach.center, bounds.low, bounds.high));
         if (!(light.reach.body_radius < most * away)) return false;
-        far_.push_back({light.reach.body_radius / away, index,
-                        static_cast<std::uint32_t>(group.samples - tile_.surfaces().data()), chunk});
+        const auto surface = static_cast<std::uint32_t>(group.samples - tile_.surfaces().data());
+        far_.push_back(
+            {light.reach.body_radius / away, index, surface, chunk, point_form_of(light, surface, chunk)});
         return true;
     };
     std::erase_if(group.chunks, is_far);
@@ -442,7 +443,8 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
 void LitTile::shade_far() {
     if (far_.empty()) return;
     std::sort(far_.begin(), far_.end(), [](const Far& a, const Far& b) {
-        return std::tie(a.surface, a.chunk, a.part, a.light) < std::tie(b.surface, b.chunk, b.part, b.light);
+        return std::tie(a.surface, a.chunk, a.form.most_lx, a.part, a.light) <
+               std::tie(b.surface, b.chunk, b.form.most_lx, b.part, b.light);
     });
     is_shadowed_ = false;
     for (auto first = far_.begin(); first != far_.end();) {
@@ -455,7 +457,8 @@ void LitTile::shade_far() {
         std::size_t failed = 0; // one after the other
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if (adds_as_point(light, first->surface, first->chunk) || adds_from_center(light, first->surface, chunk)) {
+            if (first->form.is_bounded() ? adds_as_point(light, first->form, first->surface, chunk)
+                                         : adds_from_center(light, first->surface, chunk)) {
                 failed = 0;
                 continue;
             }
@@ -470,16 +473,19 @@ void LitTile::shade_far() {
     }
 }
 
-bool LitTile::adds_as_point(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk) {
+PointForm LitTile::point_form_of(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk) {
     Known& known = known_[of_surface];
-    if (!known.lobe) return false;
+    if (!known.lobe) return {};
     const SurfaceSamples& samples = tile_.surfaces()[of_surface];
     const SurfaceSamples::Chunk& chunk = samples.chunks[of_chunk];
     std::optional<ViewBounds>& views = known.views[of_chunk];
     if (!views) views.emplace(samples, chunk.first, chunk.count);
-    const PointForm form = point_form(light, chunk.bounds, *views, *known.lobe);
-    if (!form.is_bounded()) return false;
-    shader_.shade_as_point(light, form, samples, chunk.first, chunk.count);
+    return point_form(light, chunk.bounds, *views, *known.lobe);
+}
+
+bool LitTile::adds_as_point(const LitLight& light, const PointForm& form, std::size_t of_surface,
+                            const SurfaceSamples::Chunk& chunk) {
+    shader_.shade_as_point(light, form, tile_.surfaces()[of_surface], chunk.first, chunk.count);
     if (!adds_shaded(of_surface, chunk)) return false;
     stats_.as_point += chunk.count;
     return true;

@@ -308,8 +308,12 @@ PointForm point_form(const LitLight& light, const SampleBounds& points, const Vi
 
     const double scale = light.light.web_scale;
     const WebVariation::Bounds web = web_towards(light, *variation, *to);
+    const auto form = [&](double share, double cd) {
+        const double lx_per_cd = light.light.luminance.value * pose.most_cosine / (to->near_m * to->near_m);
+        return PointForm{share, cd, lx_per_cd * (share * scale * web.most + cd)};
+    };
     // Points in front of the light's plane and behind it: both the light and the point give 0 to the most of the web.
-    if (!pose.is_in_front) return {0.0, scale * web.most * (1.0 + shape) * (1.0 + pose.part)};
+    if (!pose.is_in_front) return form(0.0, scale * web.most * (1.0 + shape) * (1.0 + pose.part));
 
     // As in LuminancePattern::from_center(), times the projected area: of a place |L(x) − L(0)| ≤ Iρ + Sη(1 + ρ), of a
     // pair C; each separately as a share of I and in candela. The mean of τ over the light is at most the root of the
@@ -333,7 +337,7 @@ PointForm point_form(const LitLight& light, const SampleBounds& points, const Vi
     const double narrow = lobe.has_lobe ? 2.0 * part * part / (part * part + 4.0 * lobe.alpha * lobe.alpha) : 0.0;
     const double of_share = mean_share + narrow * place_share;
     const double of_cd = mean_cd + narrow * place_cd;
-    return {shape + of_share * (1.0 + shape), of_cd * (1.0 + shape)};
+    return form(shape + of_share * (1.0 + shape), of_cd * (1.0 + shape));
 }
 
 } // namespace gonio::detail

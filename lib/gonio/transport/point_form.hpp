@@ -47,6 +47,7 @@ struct ViewBounds {
 struct PointForm {
     double share = std::numeric_limits<double>::infinity();
     double cd = std::numeric_limits<double>::infinity();
+    double most_lx = std::numeric_limits<double>::infinity(); // of illuminance that it is off, about the most
 
     bool is_bounded() const { return share < 1.0 && cd < std::numeric_limits<double>::infinity(); }
 };

@@ -62,9 +62,11 @@ private:
     // The chunks of a group that are so far from the light that it may be seen from its centre are left for later.
     void set_aside(std::uint32_t index, Group& group);
     void shade_far();
+    PointForm point_form_of(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk);
     // Whether the light as a point, or from its centre, stays within the error at every point of the chunk; adds it if
     // so.
-    bool adds_as_point(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk);
+    bool adds_as_point(const LitLight& light, const PointForm& form, std::size_t of_surface,
+                       const SurfaceSamples::Chunk& chunk);
     bool adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
     // The same for what the shader gave with a bound.
     bool adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
@@ -110,6 +112,7 @@ private:
         std::uint32_t light;
         std::uint32_t surface; // of the tile's
         std::uint32_t chunk;
+        PointForm form;
     };
     std::vector<Far> far_;
     // What the shader gave, as known.
