@@ -56,7 +56,7 @@ void LitTile::light_up() {
                 known.error[channel].resize(samples.size());
             }
             known.lobe = LobeVariation::of(scene_.core_materials[samples.surface]);
-            known.views.resize(samples.chunks.size());
+            known.parts.resize(samples.chunks.size());
         }
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
@@ -411,8 +411,7 @@ void LitTile::note(Known& known, const SurfaceSamples::Chunk& chunk, const float
         if (weight[i] == 0.0F) continue; // hidden, or on the edge of a shadow
         const Visible through = visible == nullptr ? Visible() : visible[i];
         for (std::size_t channel = 0; channel < 3; ++channel)
-            known.light[channel][chunk.first + i] +=
-                through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
+            known.light[channel][chunk.first + i] += through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
         if (options_.illuminance) known.light[3][chunk.first + i] += through.lx * shader_.lx()[i];
     }
 }
@@ -432,8 +431,7 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
         const double away = glm::length(light.reach.center - glm::clamp(light.reach.center, bounds.low, bounds.high));
         if (!(light.reach.body_radius < most * away)) return false;
         const auto surface = static_cast<std::uint32_t>(group.samples - tile_.surfaces().data());
-        far_.push_back(
-            {light.reach.body_radius / away, index, surface, chunk, point_form_of(light, surface, chunk)});
+        find_forms(far_.emplace_back(Far{light.reach.body_radius / away, index, surface, chunk, {}}));
         return true;
     };
     std::erase_if(group.chunks, is_far);
@@ -443,8 +441,8 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
 void LitTile::shade_far() {
     if (far_.empty()) return;
     std::sort(far_.begin(), far_.end(), [](const Far& a, const Far& b) {
-        return std::tie(a.surface, a.chunk, a.form.most_lx, a.part, a.light) <
-               std::tie(b.surface, b.chunk, b.form.most_lx, b.part, b.light);
+        return std::tie(a.surface, a.chunk, a.forms.most_lx, a.part, a.light) <
+               std::tie(b.surface, b.chunk, b.forms.most_lx, b.part, b.light);
     });
     is_shadowed_ = false;
     for (auto first = far_.begin(); first != far_.end();) {
@@ -457,7 +455,7 @@ void LitTile::shade_far() {
         std::size_t failed = 0; // one after the other
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if (first->form.is_bounded() ? adds_as_point(light, first->form, first->surface, chunk)
+            if (first->forms.are_bounded ? adds_as_point(*first, chunk)
                                          : adds_from_center(light, first->surface, chunk)) {
                 failed = 0;
                 continue;
@@ -466,27 +464,54 @@ void LitTile::shade_far() {
             if (++failed < most_failed) continue;
             // More is known of the light after the nearest of those that are left, and fewer are left.
             failed = 0;
-            for (auto nearest = (last - first - 1 + 3) / 4; nearest > 0; --nearest)
+            for (auto nearest = (last - first - 1 + 15) / 16; nearest > 0; --nearest)
                 shade(scene_.lights[(--last)->light], group);
         }
         first = end;
     }
 }
 
-PointForm LitTile::point_form_of(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk) {
-    Known& known = known_[of_surface];
-    if (!known.lobe) return {};
-    const SurfaceSamples& samples = tile_.surfaces()[of_surface];
-    const SurfaceSamples::Chunk& chunk = samples.chunks[of_chunk];
-    std::optional<ViewBounds>& views = known.views[of_chunk];
-    if (!views) views.emplace(samples, chunk.first, chunk.count);
-    return point_form(light, chunk.bounds, *views, *known.lobe);
+// One form for the whole chunk is enough where its bound is small; a chunk of a floor far away is tens of metres deep.
+void LitTile::find_forms(Far& far) {
+    constexpr double small_share = 0.25; // of the error
+    Known& known = known_[far.surface];
+    if (!known.lobe) return;
+    const LitLight& light = scene_.lights[far.light];
+    const SurfaceSamples& samples = tile_.surfaces()[far.surface];
+    const SurfaceSamples::Chunk& chunk = samples.chunks[far.chunk];
+    std::vector<ChunkPart>& parts = known.parts[far.chunk];
+    if (parts.empty()) {
+        parts.push_back({chunk.bounds, ViewBounds(samples, chunk.first, chunk.count)});
+        for (std::size_t first = 0; first < chunk.count && chunk.count <= of_part * most_parts; first += of_part) {
+            const std::size_t count = std::min(of_part, chunk.count - first);
+            BoundsBuilder builder;
+            for (std::size_t i = chunk.first + first; i < chunk.first + first + count; ++i)
+                builder.add(samples.position_of(i), samples.normal_of(i));
+            parts.push_back({builder.bounds(), ViewBounds(samples, chunk.first + first, count)});
+        }
+    }
+    Far::Forms& forms = far.forms;
+    forms.of_parts[0] = point_form(light, parts[0].points, parts[0].views, *known.lobe);
+    forms.of_each = chunk.count;
+    std::size_t count = 1;
+    if (parts.size() > 1 && !(forms.of_parts[0].share < small_share * options_.error)) {
+        forms.of_each = of_part;
+        count = parts.size() - 1;
+        for (std::size_t i = 0; i < count; ++i)
+            forms.of_parts[i] = point_form(light, parts[i + 1].points, parts[i + 1].views, *known.lobe);
+    }
+    forms.are_bounded = true;
+    forms.most_lx = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        forms.are_bounded = forms.are_bounded && forms.of_parts[i].is_bounded();
+        forms.most_lx = std::max(forms.most_lx, forms.of_parts[i].most_lx);
+    }
 }
 
-bool LitTile::adds_as_point(const LitLight& light, const PointForm& form, std::size_t of_surface,
-                            const SurfaceSamples::Chunk& chunk) {
-    shader_.shade_as_point(light, form, tile_.surfaces()[of_surface], chunk.first, chunk.count);
-    if (!adds_shaded(of_surface, chunk)) return false;
+bool LitTile::adds_as_point(const Far& far, const SurfaceSamples::Chunk& chunk) {
+    shader_.shade_as_point(scene_.lights[far.light], far.forms.of_parts, far.forms.of_each,
+                           tile_.surfaces()[far.surface], chunk.first, chunk.count);
+    if (!adds_shaded(far.surface, chunk)) return false;
     stats_.as_point += chunk.count;
     return true;
 }

@@ -21,21 +21,24 @@ constexpr double room = 1e-5;
 
 // Where the light is as seen from all points of a group, and from all places of the light.
 struct Pose {
-    double part = unbounded;    // ρ: the radius of the light over the distance of its centre
-    double least_cosine = 0.0;  // c = n·l of the centre
+    double part = unbounded;   // ρ: the radius of the light over the distance of its centre
+    double least_cosine = 0.0; // c = n·l of the centre
     double most_cosine = 1.0;
-    double tilt = 1.0;          // sine of the angle between the normal and the axis of the light
-    double least_half = 0.0;    // l·h, h halfway between the light and the eye
+    double tilt = 1.0;       // sine of the angle between the normal and the axis of the light
+    double least_half = 0.0; // l·h, h halfway between the light and the eye
     double most_half = 1.0;
-    bool is_in_front = false;   // all points are in front of the light's plane
+    bool is_in_front = false; // all points are in front of the light's plane
 };
 
 // Bounds of the first and the second derivative of the logarithm of a factor, with respect to τ (see below).
 struct Slopes {
     double first = 0.0;
     double second = 0.0;
+    double turned = 0.0; // more of the first derivative, in proportion to |l'|
 
-    Slopes operator+(const Slopes& more) const { return {first + more.first, second + more.second}; }
+    Slopes operator+(const Slopes& more) const {
+        return {first + more.first, second + more.second, turned + more.turned};
+    }
 };
 
 double of_range(double angle_rad) {
@@ -43,8 +46,8 @@ double of_range(double angle_rad) {
 }
 
 // The light at w + δ, in units of the distance of its centre, which is at w: an element of a flat light has
-// f(l) (n·q)/|q|⁴ with q = w + δ, l = q/|q| (the height b over the plane of the light is common to all). Let δ = τe with
-// a unit vector e in the plane of the light, 0 ≤ τ ≤ ρ, and λ = 1/(1 − ρ) ≥ 1/|q|. Then
+// f(l) (n·q)/|q|⁴ with q = w + δ, l = q/|q| (the height b over the plane of the light is common to all). Let δ = τe
+// with a unit vector e in the plane of the light, 0 ≤ τ ≤ ρ, and λ = 1/(1 − ρ) ≥ 1/|q|. Then
 //
 //   |l'| ≤ λ,   l'' = −2(e·l)/|q| l' − |l'|² l,
 //   c = n·l:  |c'| ≤ λ c₁,  c₁ = min(1, |n·e| + c),   |c''| ≤ λ² (2c₁ + c),
@@ -63,8 +66,8 @@ public:
           turn_(std::min(1.0, pose.tilt + pose.most_cosine)),
           per_half_(0.5 / pose.least_half),
           across_(std::sqrt((1.0 - pose.least_half) * (1.0 + pose.least_half))) {
-        cosine_ = {turn_ * stretch_, (2.0 * turn_ + pose.most_cosine) * stretch_ * stretch_};
-        half_ = {0.5 * across_ * stretch_, 0.5 * (pose.most_half + per_half_ + across_) * stretch_ * stretch_};
+        cosine_ = {turn_ * stretch_, (2.0 * turn_ + pose.most_cosine) * stretch_ * stretch_, 0.0};
+        half_ = {0.5 * across_ * stretch_, 0.5 * (pose.most_half + per_half_ + across_) * stretch_ * stretch_, 0.0};
     }
 
     // Frostbite's: (1 + q z⁵)(1 + q y), z = 1 − c, q = r/2 + 2r (l·h)² − 1, and y ≤ 1 of the view.
@@ -79,8 +82,8 @@ public:
         const double z = 1.0 - pose_.least_cosine;
         const double z4 = z * z * z * z;
         const auto logarithmic = [](double value, double slope, double bend) {
-            if (!(value > 0.0)) return Slopes{unbounded, unbounded};
-            return Slopes{slope / value, bend / value + (slope / value) * (slope / value)};
+            if (!(value > 0.0)) return Slopes{unbounded, unbounded, 0.0};
+            return Slopes{slope / value, bend / value + (slope / value) * (slope / value), 0.0};
         };
         const Slopes of_light =
             logarithmic(1.0 + std::min(least, 0.0) * z4 * z, first * z4 * z + 5.0 * most * z4 * cosine_.first,
@@ -102,12 +105,12 @@ private:
         const double first = 2.0 * k * kappa / a;
         const double bend = 2.0 * kappa * kappa * (1.0 + k / (a * a)) + k / a * kappa * across_ * (1.0 + 2.0 * kappa);
         const double second = 2.0 * (bend + 0.25 * first * first);
-        return {first * stretch_, (second + first) * stretch_ * stretch_};
+        return {0.0, (second + first) * stretch_ * stretch_, first * stretch_};
     }
     // V = 1/(2g), g = c λ(n·v) + n·v λ(c): |(log V)_c| ≤ 1/c, |(log V)_cc| ≤ 1/c².
     Slopes visibility() const {
         const double c = pose_.least_cosine;
-        return {cosine_.first / c, cosine_.first * cosine_.first / (c * c) + cosine_.second / c};
+        return {cosine_.first / c, cosine_.first * cosine_.first / (c * c) + cosine_.second / c, 0.0};
     }
     // F = f0 + (f90 − f0) z⁵, z = 1 − l·h.
     Slopes reflectance() const {
@@ -116,11 +119,10 @@ private:
         const double low = 1.0 - pose_.most_half;
         const double z = 1.0 - pose_.least_half;
         const double least = material_.f0 + more * low * low * low * low * low;
-        if (!(least > 0.0)) return {unbounded, unbounded};
+        if (!(least > 0.0)) return {unbounded, unbounded, 0.0};
         const double first = more * 5.0 * z * z * z * z * half_.first / least;
-        const double bend =
-            more * z * z * z * (20.0 * half_.first * half_.first + 5.0 * z * half_.second) / least;
-        return {first, bend + first * first};
+        const double bend = more * z * z * z * (20.0 * half_.first * half_.first + 5.0 * z * half_.second) / least;
+        return {0.0, bend + first * first, first};
     }
 
     const LobeVariation& material_;
@@ -133,8 +135,9 @@ private:
     Slopes half_;     // of l·h
 };
 
-// The light is that of the centre times (1 + τ n·e/c) e^φ, with the slopes of φ those of f plus those of −4 log|q|: λ|e·l|·4
-// and 4λ². Opposite places have the mean
+// The light is that of the centre times (1 + τ n·e/c) e^φ, with the slopes of φ those of f plus those of −4 log|q|:
+// 4λ |e·l| and 4λ². Of these 4λ |e·l| and what is proportional to |l'| ≤ λ √(1 − (e·l)²) are not large together: the
+// sum is at most the root of the sum of squares. Opposite places have the mean
 //
 //   e^φ₂ cosh φ₁ + (|n·e|/c) τ e^φ₂ sinh φ₁,   φ₁ ≤ Φ'τ,  φ₂ ≤ Φ''τ²/2,
 //
@@ -142,7 +145,7 @@ private:
 // the mean of τ²/ρ². With t = φ₁²/2 + φ₂ ≤ 1, e^φ₂ cosh φ₁ − 1 ≤ t + t² and e^φ₂ sinh φ₁ ≤ φ₁ (1 + 2t).
 double shape_share(const Pose& pose, const Slopes& lobe, double mean_square) {
     const double stretch = 1.0 / (1.0 - pose.part);
-    const double first = (4.0 * stretch + lobe.first) * pose.part;
+    const double first = (std::hypot(4.0 * stretch, lobe.turned) + lobe.first) * pose.part;
     const double second = 0.5 * (4.0 * stretch * stretch + lobe.second) * pose.part * pose.part;
     const double t = 0.5 * first * first + second;
     if (!(t < 1.0)) return unbounded;

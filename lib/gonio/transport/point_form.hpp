@@ -1,9 +1,9 @@
 // A luminous opening that is far away as a point at its centre, with a bound of the difference: by inequality, for all
 // points of a group at once.
 //
-// The exact light of a flat opening is ∫ L(ω_x) f ⟨n·l⟩ dω over its places x. From far away it is nearly that of a point
-// with the intensity of the profile, which costs a fraction: no form factor, no columns, no rule over the lobe. Far
-// lights as points are the oldest approximation of many lights (E. Paquette, P. Poulin, G. Drettakis, "A Light
+// The exact light of a flat opening is ∫ L(ω_x) f ⟨n·l⟩ dω over its places x. From far away it is nearly that of a
+// point with the intensity of the profile, which costs a fraction: no form factor, no columns, no rule over the lobe.
+// Far lights as points are the oldest approximation of many lights (E. Paquette, P. Poulin, G. Drettakis, "A Light
 // Hierarchy for Fast Rendering of Scenes with Many Lights", Eurographics 1998; B. Walter and others, "Lightcuts",
 // SIGGRAPH 2005). Their bounds are those of a cluster's greatest and least value, in the first order of its size over
 // its distance; here the first order cancels between opposite places. Derived beside the code.
@@ -52,12 +52,12 @@ struct PointForm {
     bool is_bounded() const { return share < 1.0 && cd < std::numeric_limits<double>::infinity(); }
 };
 
-// Whether no point within the bounds gets light from a face of a flat opening, since its web is dark towards all of them
-// from every place of the face. False for other lights.
+// Whether no point within the bounds gets light from a face of a flat opening, since its web is dark towards all of
+// them from every place of the face. False for other lights.
 bool is_web_dark(const LitLight& light, const SampleBounds& points);
 
-// Unbounded for lights other than faces of flat openings, where the light is not all above the horizon of all points, and
-// where it is too near. Neither fails nor allocates.
+// Unbounded for lights other than faces of flat openings, where the light is not all above the horizon of all points,
+// and where it is too near. Neither fails nor allocates.
 PointForm point_form(const LitLight& light, const SampleBounds& points, const ViewBounds& views,
                      const LobeVariation& lobe);
 

@@ -160,8 +160,8 @@ void SampleShader::shade_from_center(const LitLight& light, const SurfaceSamples
     times(lx_, lx_error_, share_, share_error_, static_cast<float>(light.light.luminance.value));
 }
 
-void SampleShader::shade_as_point(const LitLight& light, const PointForm& form, const SurfaceSamples& samples,
-                                  std::size_t first, std::size_t count) {
+void SampleShader::shade_as_point(const LitLight& light, std::span<const PointForm> forms, std::size_t of_form,
+                                  const SurfaceSamples& samples, std::size_t first, std::size_t count) {
     const shading::Surfaces surfaces = surfaces_of(samples, first, count);
     shading::LightConstants constants = light.constants;
     constants.kind = shading::LightConstants::Kind::punctual;
@@ -177,10 +177,12 @@ void SampleShader::shade_as_point(const LitLight& light, const PointForm& form, 
     light.luminance->candela({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
                              samples.anchor, scene_.intensity, share_.data());
     share_error_.resize(count);
-    const auto of_share = static_cast<float>(form.share);
-    const auto of_cd = static_cast<float>(form.cd);
-    for (std::size_t i = 0; i < count; ++i)
-        share_error_[i] = of_share * share_[i] + of_cd;
+    for (std::size_t k = 0; k * of_form < count; ++k) {
+        const auto of_share = static_cast<float>(forms[k].share);
+        const auto of_cd = static_cast<float>(forms[k].cd);
+        for (std::size_t i = k * of_form; i < std::min((k + 1) * of_form, count); ++i)
+            share_error_[i] = of_share * share_[i] + of_cd;
+    }
     const auto times = [count, this](std::vector<float>& of_candela, std::vector<float>& errors) {
         errors.resize(count);
         float* const value = of_candela.data();

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace gonio::detail {
@@ -29,10 +30,10 @@ public:
     // has_center_form().
     void shade_from_center(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count);
 
-    // The same for a face of a luminous opening as a point at its centre, with the bound that `form` gives. Only where it
-    // is bounded.
-    void shade_as_point(const LitLight& light, const PointForm& form, const SurfaceSamples& samples, std::size_t first,
-                        std::size_t count);
+    // The same for a face of a luminous opening as a point at its centre, with the bounds that `forms` give, one for
+    // each `of_form` samples. Only where all are bounded.
+    void shade_as_point(const LitLight& light, std::span<const PointForm> forms, std::size_t of_form,
+                        const SurfaceSamples& samples, std::size_t first, std::size_t count);
 
     // The illuminance alone, by `exact` and without regard to what occludes the light: only lx() is set.
     void illuminate(const LitLight& light, const SurfaceSamples& samples);

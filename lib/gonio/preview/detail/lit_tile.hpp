@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,6 +29,7 @@ public:
     void light_up();
 
 private:
+    struct Far;
     struct Group { // chunks of one surface that a light may reach
         const SurfaceSamples* samples;
         std::vector<std::uint32_t> chunks;
@@ -62,11 +64,10 @@ private:
     // The chunks of a group that are so far from the light that it may be seen from its centre are left for later.
     void set_aside(std::uint32_t index, Group& group);
     void shade_far();
-    PointForm point_form_of(const LitLight& light, std::size_t of_surface, std::uint32_t of_chunk);
+    void find_forms(Far& far);
     // Whether the light as a point, or from its centre, stays within the error at every point of the chunk; adds it if
     // so.
-    bool adds_as_point(const LitLight& light, const PointForm& form, std::size_t of_surface,
-                       const SurfaceSamples::Chunk& chunk);
+    bool adds_as_point(const Far& far, const SurfaceSamples::Chunk& chunk);
     bool adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
     // The same for what the shader gave with a bound.
     bool adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
@@ -99,11 +100,18 @@ private:
     // With RenderOptions::error, what every sample has got so far and how far that may be from the exact light: three
     // channels and lux. The former is never more than the exact light.
     using Amounts = std::array<std::vector<float>, 4>; // of all samples
+    // Every so many points of a chunk, which are closer together: two rows of pixels.
+    static constexpr std::size_t of_part = 16;
+    static constexpr std::size_t most_parts = 4;
+    struct ChunkPart {
+        SampleBounds points;
+        ViewBounds views;
+    };
     struct Known {
         Amounts light;
         Amounts error;
         std::optional<LobeVariation> lobe;
-        std::vector<std::optional<ViewBounds>> views; // of each chunk
+        std::vector<std::vector<ChunkPart>> parts; // of each chunk; made when it is first asked for
     };
     std::vector<Known> known_; // for each surface of the tile
     // A light and a chunk far away.
@@ -112,7 +120,14 @@ private:
         std::uint32_t light;
         std::uint32_t surface; // of the tile's
         std::uint32_t chunk;
-        PointForm form;
+        // Of the light as a point, for each part of the chunk, or for all of it.
+        struct Forms {
+            std::array<PointForm, most_parts> of_parts{};
+            std::size_t of_each = 0; // points
+            bool are_bounded = false;
+            double most_lx = std::numeric_limits<double>::infinity();
+        };
+        Forms forms;
     };
     std::vector<Far> far_;
     // What the shader gave, as known.
