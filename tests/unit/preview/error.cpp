@@ -105,7 +105,7 @@ TEST(PictureError, StaysWithinWhatIsAskedFor) {
             const Rendering near = render(stage, lights, stage.camera, options).value();
             EXPECT_LE(greatest_difference(near.luminance_nt, exact.luminance_nt), error) << rig.lights;
             EXPECT_LE(greatest_difference(near.illuminance_lx, exact.illuminance_lx), error) << rig.lights;
-            EXPECT_EQ(near.stats.evaluated, exact.stats.evaluated);
+            EXPECT_LE(near.stats.evaluated, exact.stats.evaluated); // webs that are dark towards a chunk are left out
             EXPECT_GE(seen_otherwise(near.stats), before) << rig.lights << " at " << error;
             before = seen_otherwise(near.stats);
         }

@@ -125,7 +125,7 @@ TEST(PointForm, BoundsTheLightOfOpeningsOnMatteSurfaces) {
     for (const char* const formula :
          {"cosine:power=3", "cosine:power=1", "batwing", "wall-washer", "cosine:power=1,up=0.3"}) {
         const Greatest greatest =
-            compare(formula, LambertMaterial{glm::dvec3(0.6, 0.5, 0.4)}, IrradianceMethod::reference, 3e-6, 60);
+            compare(formula, LambertMaterial{glm::dvec3(0.6, 0.5, 0.4)}, IrradianceMethod::reference, 3e-6, 24);
         EXPECT_GT(greatest.bounded, greatest.all / 4) << formula;
         EXPECT_GT(greatest.of_bound, 0.02) << formula; // it is of the right order
         std::cout << formula << ": at most " << greatest.of_bound << " of the bound\n";
@@ -138,7 +138,7 @@ TEST(PointForm, BoundsTheShapeUnderLobes) {
     for (const char* const material : {"frostbite:base=0.4,smoothness=0.2", "frostbite:base=0.4,smoothness=0.45",
                                        "ggx:f0=0.8,alpha=0.4", "ggx:f0=0.04,alpha=0.15"}) {
         const Greatest greatest =
-            compare("cosine:power=1", parse_material(material).value(), IrradianceMethod::exact, 3e-4, 200);
+            compare("cosine:power=1", parse_material(material).value(), IrradianceMethod::exact, 3e-4, 80);
         EXPECT_GT(greatest.bounded, greatest.all / 8) << material;
         EXPECT_GT(greatest.of_bound, 0.005) << material;
         std::cout << material << ": at most " << greatest.of_bound << " of the bound\n";
