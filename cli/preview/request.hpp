@@ -52,7 +52,7 @@ inline constexpr std::array preview_method_options{
     Option{
         "--error", "E",
         "relative tolerance of the method reference (1% for a picture; with --compare, --sweep and --aov 1e-6 for "
-        "each value); with the method exact, off unless given: far luminaires are seen from their centres, as long as "
+        "each value); with the method exact, off unless given: far luminaires are points at their centres, as long as "
         "the direct light of each pixel stays within E, for example 0.1%"},
     Option{"--time", "T", "time limit of the method reference for one picture, for example 30s; Ctrl-C stops it"},
     Option{"--bounces,--indirect", "N",

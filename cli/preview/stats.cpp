@@ -28,6 +28,7 @@ std::string stats_text(const RenderStats& stats, double milliseconds, const std:
     text += fmt::format("  {:<34}{:>14}\n", "evaluations of all lights", stats.evaluations);
     text += line("done", stats.evaluated, stats.evaluations);
     text += line("as seen from the light's centre", stats.from_center, stats.evaluations);
+    text += line("as a point at the light's centre", stats.as_point, stats.evaluations);
     text += line("skipped: without flux", stats.dark, stats.evaluations);
     text += line("skipped: out of range", stats.out_of_range, stats.evaluations);
     text += line("skipped: outside the light's cone", stats.outside_cone, stats.evaluations);
@@ -54,6 +55,7 @@ Json stats_json(const RenderStats& stats, double milliseconds, const std::vector
             {"evaluations", stats.evaluations},
             {"evaluated", stats.evaluated},
             {"from_center", stats.from_center},
+            {"as_point", stats.as_point},
             {"skipped_dark", stats.dark},
             {"skipped_out_of_range", stats.out_of_range},
             {"skipped_outside_cone", stats.outside_cone},

@@ -25,7 +25,7 @@ namespace gonio::detail {
 namespace {
 
 // Times the error: how large a light may be, over its distance, to be seen from its centre.
-constexpr double farthest_part = 10.0;
+constexpr double farthest_part = 25.0;
 // Lights that are too near for the error, before the nearest of those that are left are taken as they are.
 constexpr std::size_t most_failed = 2;
 
@@ -49,8 +49,15 @@ void LitTile::light_up() {
     count_samples();
     if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
     if (options_.error > 0.0)
-        for (const SurfaceSamples& samples : tile_.surfaces())
-            known_.push_back({std::vector<Amounts>(samples.size()), std::vector<Amounts>(samples.size())});
+        for (const SurfaceSamples& samples : tile_.surfaces()) {
+            Known& known = known_.emplace_back();
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                known.light[channel].resize(samples.size());
+                known.error[channel].resize(samples.size());
+            }
+            known.lobe = LobeVariation::of(scene_.core_materials[samples.surface]);
+            known.parts.resize(samples.chunks.size());
+        }
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -402,11 +409,10 @@ void LitTile::note(Known& known, const SurfaceSamples::Chunk& chunk, const float
                    const Visible* visible) const {
     for (std::size_t i = 0; i < chunk.count; ++i) {
         if (weight[i] == 0.0F) continue; // hidden, or on the edge of a shadow
-        Amounts& light = known.light[chunk.first + i];
         const Visible through = visible == nullptr ? Visible() : visible[i];
         for (std::size_t channel = 0; channel < 3; ++channel)
-            light[channel] += through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
-        if (options_.illuminance) light[3] += through.lx * shader_.lx()[i];
+            known.light[channel][chunk.first + i] += through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
+        if (options_.illuminance) known.light[3][chunk.first + i] += through.lx * shader_.lx()[i];
     }
 }
 
@@ -418,10 +424,14 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
     const double most = std::min(farthest_part * options_.error, WebVariation::reach_rad);
     const auto is_far = [&](std::uint32_t chunk) {
         const SampleBounds& bounds = group.samples->chunks[chunk].bounds;
+        if (is_web_dark(light, bounds)) {
+            stats_.outside_cone += group.samples->chunks[chunk].count;
+            return true;
+        }
         const double away = glm::length(light.reach.center - glm::clamp(light.reach.center, bounds.low, bounds.high));
         if (!(light.reach.body_radius < most * away)) return false;
-        far_.push_back({light.reach.body_radius / away, index,
-                        static_cast<std::uint32_t>(group.samples - tile_.surfaces().data()), chunk});
+        const auto surface = static_cast<std::uint32_t>(group.samples - tile_.surfaces().data());
+        find_forms(far_.emplace_back(Far{light.reach.body_radius / away, index, surface, chunk, {}}));
         return true;
     };
     std::erase_if(group.chunks, is_far);
@@ -431,7 +441,8 @@ void LitTile::set_aside(std::uint32_t index, Group& group) {
 void LitTile::shade_far() {
     if (far_.empty()) return;
     std::sort(far_.begin(), far_.end(), [](const Far& a, const Far& b) {
-        return std::tie(a.surface, a.chunk, a.part, a.light) < std::tie(b.surface, b.chunk, b.part, b.light);
+        return std::tie(a.surface, a.chunk, a.forms.most_lx, a.part, a.light) <
+               std::tie(b.surface, b.chunk, b.forms.most_lx, b.part, b.light);
     });
     is_shadowed_ = false;
     for (auto first = far_.begin(); first != far_.end();) {
@@ -444,7 +455,8 @@ void LitTile::shade_far() {
         std::size_t failed = 0; // one after the other
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if (adds_from_center(light, first->surface, chunk)) {
+            if (first->forms.are_bounded ? adds_as_point(*first, chunk)
+                                         : adds_from_center(light, first->surface, chunk)) {
                 failed = 0;
                 continue;
             }
@@ -452,18 +464,69 @@ void LitTile::shade_far() {
             if (++failed < most_failed) continue;
             // More is known of the light after the nearest of those that are left, and fewer are left.
             failed = 0;
-            for (auto nearest = (last - first - 1 + 3) / 4; nearest > 0; --nearest)
+            for (auto nearest = (last - first - 1 + 15) / 16; nearest > 0; --nearest)
                 shade(scene_.lights[(--last)->light], group);
         }
         first = end;
     }
 }
 
-// All light is ≥ 0: the error may be a share of what is known of it, since more can only come.
+// One form for the whole chunk is enough where its bound is small; a chunk of a floor far away is tens of metres deep.
+void LitTile::find_forms(Far& far) {
+    constexpr double small_share = 0.25; // of the error
+    Known& known = known_[far.surface];
+    if (!known.lobe) return;
+    const LitLight& light = scene_.lights[far.light];
+    const SurfaceSamples& samples = tile_.surfaces()[far.surface];
+    const SurfaceSamples::Chunk& chunk = samples.chunks[far.chunk];
+    std::vector<ChunkPart>& parts = known.parts[far.chunk];
+    if (parts.empty()) {
+        parts.push_back({chunk.bounds, ViewBounds(samples, chunk.first, chunk.count)});
+        for (std::size_t first = 0; first < chunk.count && chunk.count <= of_part * most_parts; first += of_part) {
+            const std::size_t count = std::min(of_part, chunk.count - first);
+            BoundsBuilder builder;
+            for (std::size_t i = chunk.first + first; i < chunk.first + first + count; ++i)
+                builder.add(samples.position_of(i), samples.normal_of(i));
+            parts.push_back({builder.bounds(), ViewBounds(samples, chunk.first + first, count)});
+        }
+    }
+    Far::Forms& forms = far.forms;
+    forms.of_parts[0] = point_form(light, parts[0].points, parts[0].views, *known.lobe);
+    forms.of_each = chunk.count;
+    std::size_t count = 1;
+    if (parts.size() > 1 && !(forms.of_parts[0].share < small_share * options_.error)) {
+        forms.of_each = of_part;
+        count = parts.size() - 1;
+        for (std::size_t i = 0; i < count; ++i)
+            forms.of_parts[i] = point_form(light, parts[i + 1].points, parts[i + 1].views, *known.lobe);
+    }
+    forms.are_bounded = true;
+    forms.most_lx = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        forms.are_bounded = forms.are_bounded && forms.of_parts[i].is_bounded();
+        forms.most_lx = std::max(forms.most_lx, forms.of_parts[i].most_lx);
+    }
+}
+
+bool LitTile::adds_as_point(const Far& far, const SurfaceSamples::Chunk& chunk) {
+    shader_.shade_as_point(scene_.lights[far.light], far.forms.of_parts, far.forms.of_each,
+                           tile_.surfaces()[far.surface], chunk.first, chunk.count);
+    if (!adds_shaded(far.surface, chunk)) return false;
+    stats_.as_point += chunk.count;
+    return true;
+}
+
 bool LitTile::adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk) {
+    shader_.shade_from_center(light, tile_.surfaces()[of_surface], chunk.first, chunk.count);
+    if (!adds_shaded(of_surface, chunk)) return false;
+    stats_.from_center += chunk.count;
+    return true;
+}
+
+// All light is ≥ 0: the error may be a share of what is known of it, since more can only come.
+bool LitTile::adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk) {
     const SurfaceSamples& samples = tile_.surfaces()[of_surface];
     Known& known = known_[of_surface];
-    shader_.shade_from_center(light, samples, chunk.first, chunk.count);
     const std::size_t channels = options_.illuminance ? 4 : 3;
     const auto values = [&](std::size_t channel) {
         return channel < 3 ? shader_.rgb()[channel].data() : shader_.lx().data();
@@ -475,25 +538,29 @@ bool LitTile::adds_from_center(const LitLight& light, std::size_t of_surface, co
     for (std::size_t channel = 0; channel < channels; ++channel) {
         const float* const value = values(channel);
         const float* const error = errors(channel);
-        bool fits = true;
+        const float* const light_so_far = known.light[channel].data() + chunk.first;
+        const float* const error_so_far = known.error[channel].data() + chunk.first;
+        unsigned misfits = 0; // counted, not branched on, so that it runs in packs
         for (std::size_t i = 0; i < chunk.count; ++i) {
-            const float light_so_far = known.light[chunk.first + i][channel];
-            const float error_so_far = known.error[chunk.first + i][channel];
-            fits = fits && error_so_far + error[i] <= most * (light_so_far + std::max(value[i] - error[i], 0.0F));
+            const float least = value[i] - error[i];
+            const float sure = least > 0.0F ? least : 0.0F;
+            misfits += error_so_far[i] + error[i] <= most * (light_so_far[i] + sure) ? 0U : 1U;
         }
-        if (!fits) return false;
+        if (misfits > 0) return false;
     }
     for (std::size_t channel = 0; channel < channels; ++channel) {
         const float* const value = values(channel);
         const float* const error = errors(channel);
+        float* const light_so_far = known.light[channel].data() + chunk.first;
+        float* const error_so_far = known.error[channel].data() + chunk.first;
         for (std::size_t i = 0; i < chunk.count; ++i) {
-            known.light[chunk.first + i][channel] += std::max(value[i] - error[i], 0.0F);
-            known.error[chunk.first + i][channel] += error[i];
+            const float least = value[i] - error[i];
+            light_so_far[i] += least > 0.0F ? least : 0.0F;
+            error_so_far[i] += error[i];
         }
     }
     stats_.shadow_tests += chunk.count;
     stats_.evaluated += chunk.count;
-    stats_.from_center += chunk.count;
     add_shaded(samples, chunk.first, chunk.count, samples.share.data() + chunk.first, nullptr);
     return true;
 }

@@ -40,6 +40,7 @@ void RenderStats::add(const RenderStats& other) {
     evaluations += other.evaluations;
     evaluated += other.evaluated;
     from_center += other.from_center;
+    as_point += other.as_point;
     outside_cone += other.outside_cone;
     below_horizon += other.below_horizon;
     in_shadow += other.in_shadow;

@@ -21,6 +21,7 @@ struct RenderStats {
     std::size_t evaluations = 0;   // all lights at all samples
     std::size_t evaluated = 0;     // evaluations done
     std::size_t from_center = 0;   // of these, those of a light as seen from its centre (RenderOptions::error)
+    std::size_t as_point = 0;      // and those of an opening as a point at its centre
     std::size_t out_of_range = 0;  // evaluations skipped, by the first reason that applied
     std::size_t outside_cone = 0;  // behind the light, outside its lobe or where its web is dark
     std::size_t below_horizon = 0; // behind the surface

@@ -339,6 +339,18 @@ void LuminancePattern::towards_points(const transport::Points& points, const tra
     }
 }
 
+void LuminancePattern::candela(const transport::Points& points, const glm::dvec3& anchor,
+                               const transport::IntensityKernels& intensity, float* cd) const {
+    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
+    transport::LightFrame axes;
+    copy(light_.frame.origin - anchor, axes.origin);
+    copy(frame.x, axes.x);
+    copy(frame.y, axes.y);
+    copy(frame.z, axes.z);
+    std::fill(cd, cd + points.count, 1.0F);
+    intensity.web(points, axes, web_->constants(light_.web_scale), cd);
+}
+
 // L(x) is the luminance by place, x a place of the light within its radius r of the centre; ω the direction from the
 // centre to the receiver, at the distance d, and ω_x that from x, at d_x. With ρ = r/d, the angle η between ω and ω_x
 // is at most asin ρ, and |d_x − d| ≤ r. S, J and Q are those of the web (web_variation.hpp).

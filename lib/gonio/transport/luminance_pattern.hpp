@@ -68,6 +68,12 @@ public:
                      std::vector<float>& error) const;
     bool has_center_form() const { return variation_ != nullptr && variation_->is_bounded(); }
 
+    // The candela that the web sends from the centre towards each point, for a face of a luminous opening.
+    void candela(const transport::Points& points, const glm::dvec3& anchor,
+                 const transport::IntensityKernels& intensity, float* cd) const;
+    // How much the web changes with direction; null for a light with an image.
+    const WebVariation* variation() const { return variation_.get(); }
+
     // A factor on Light::luminance from a unit direction, of images blurred to a few parts of their side.
     double towards(const glm::dvec3& receiver, const glm::dvec3& direction) const;
 

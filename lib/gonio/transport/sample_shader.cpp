@@ -160,6 +160,48 @@ void SampleShader::shade_from_center(const LitLight& light, const SurfaceSamples
     times(lx_, lx_error_, share_, share_error_, static_cast<float>(light.light.luminance.value));
 }
 
+void SampleShader::shade_as_point(const LitLight& light, std::span<const PointForm> forms, std::size_t of_form,
+                                  const SurfaceSamples& samples, std::size_t first, std::size_t count) {
+    const shading::Surfaces surfaces = surfaces_of(samples, first, count);
+    shading::LightConstants constants = light.constants;
+    constants.kind = shading::LightConstants::Kind::punctual;
+    for (int axis = 0; axis < 3; ++axis) {
+        constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
+        constants.color[axis] = static_cast<float>(light.light.color[axis]);
+    }
+    // What a candela gives is multiplied by the candela afterwards: where the web is dark its error is not.
+    intensity_.assign(count, static_cast<float>(light.light.luminance.value));
+    constants.intensity_cd = intensity_.data();
+    scene_.kernels.shade(surfaces, constants, scene_.materials[samples.surface], pointers(rgb_, count).data());
+    share_.resize(count);
+    light.luminance->candela({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
+                             samples.anchor, scene_.intensity, share_.data());
+    share_error_.resize(count);
+    for (std::size_t k = 0; k * of_form < count; ++k) {
+        const auto of_share = static_cast<float>(forms[k].share);
+        const auto of_cd = static_cast<float>(forms[k].cd);
+        for (std::size_t i = k * of_form; i < std::min((k + 1) * of_form, count); ++i)
+            share_error_[i] = of_share * share_[i] + of_cd;
+    }
+    const auto times = [count, this](std::vector<float>& of_candela, std::vector<float>& errors) {
+        errors.resize(count);
+        float* const value = of_candela.data();
+        float* const error = errors.data();
+        const float* const cd = share_.data();
+        const float* const cd_error = share_error_.data();
+        for (std::size_t i = 0; i < count; ++i) {
+            error[i] = value[i] * cd_error[i];
+            value[i] *= cd[i];
+        }
+    };
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        times(rgb_[channel], rgb_error_[channel]);
+    if (!scene_.options.illuminance) return;
+    lx_.resize(count);
+    scene_.kernels.irradiance(surfaces, constants, lx_.data());
+    times(lx_, lx_error_);
+}
+
 void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& samples) {
     const std::size_t count = samples.size();
     shading::Surfaces surfaces;

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/point_form.hpp>
 #include <gonio/transport/surface_samples.hpp>
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace gonio::detail {
@@ -28,6 +30,11 @@ public:
     // has_center_form().
     void shade_from_center(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count);
 
+    // The same for a face of a luminous opening as a point at its centre, with the bounds that `forms` give, one for
+    // each `of_form` samples. Only where all are bounded.
+    void shade_as_point(const LitLight& light, std::span<const PointForm> forms, std::size_t of_form,
+                        const SurfaceSamples& samples, std::size_t first, std::size_t count);
+
     // The illuminance alone, by `exact` and without regard to what occludes the light: only lx() is set.
     void illuminate(const LitLight& light, const SurfaceSamples& samples);
 
@@ -35,7 +42,7 @@ public:
     const std::array<std::vector<float>, 3>& rgb() const { return rgb_; } // luminance [nt]
     const std::vector<float>& lx() const { return lx_; }                  // only if illuminance is requested
 
-    // Bounds of the last shade_from_center(), `count` each; infinite where there is none.
+    // Bounds of the last shade_from_center() or shade_as_point(), `count` each; infinite where there is none.
     const std::array<std::vector<float>, 3>& rgb_error() const { return rgb_error_; }
     const std::vector<float>& lx_error() const { return lx_error_; } // only if illuminance is requested
 

@@ -82,6 +82,7 @@ struct Row {
     double along_planes = 0.0;
     double plane_kink = 0.0;
     double gamma_kink = 0.0;
+    double most = 0.0; // intensity [cd]
     bool is_dark = true;
 };
 
@@ -132,6 +133,7 @@ private:
         found.gamma = web_.gammas[row];
         for (std::size_t plane = 0; plane < web_.longitudes.size(); ++plane) {
             found.is_dark = found.is_dark && !(web_.at(plane, row) > 0.0);
+            found.most = std::max(found.most, web_.at(plane, row));
             const bool has_after = row + 1 < web_.gammas.size();
             const double after = has_after ? slope_of_gamma(plane, row) : 0.0;
             double before = row > 0 ? slope_of_gamma(plane, row - 1) : 0.0;
@@ -185,12 +187,14 @@ WebVariation::Bounds bounds_between(const Grid& grid, bool is_mirrored, double l
         const bool is_end = (i == 0 && !is_mirrored) || i + 1 == grid.rows.size();
         const bool is_within = row.gamma >= low && row.gamma <= high;
         if (is_within && is_end && row.gamma > 0.0 && row.gamma < pi && !row.is_dark) bounds.slope = unbounded;
+        if (is_within) bounds.most = std::max(bounds.most, row.most);
         if (is_within) gamma_kink = std::max(gamma_kink, row.gamma_kink);
     }
     for (std::size_t i = 0; i < grid.strips.size(); ++i) {
         const Strip& strip = grid.strips[i];
         if (strip.low > high || strip.high < low) continue;
         bounds.slope = std::max(bounds.slope, std::hypot(strip.along_gamma, strip.along_planes));
+        bounds.most = std::max({bounds.most, grid.rows[i].most, grid.rows[i + 1].most});
         plane_kink = std::max({plane_kink, grid.rows[i].plane_kink, grid.rows[i + 1].plane_kink});
         bounds.bend_rad = std::min(bounds.bend_rad, 0.5 * (strip.high - strip.low));
         if (!has_pole)
@@ -224,6 +228,27 @@ WebVariation::WebVariation(const Web& web) {
     for (std::size_t bin = 0; bin < bins; ++bin)
         bounds_[bin] =
             bounds_between(grid, is_mirrored_, gamma_at(bin) - reach_rad - room, gamma_at(bin + 1) + reach_rad + room);
+}
+
+WebVariation::Bounds WebVariation::over(double least, double most) const {
+    std::size_t first = bin_of(most);
+    std::size_t last = bin_of(least);
+    if (is_mirrored_) { // the half that is stored has cosines ≤ 0
+        const bool has_equator = least <= 0.0 && most >= 0.0;
+        const double low = has_equator ? 0.0 : std::min(std::abs(least), std::abs(most));
+        first = bin_of(-low);
+        last = bin_of(-std::max(std::abs(least), std::abs(most)));
+    }
+    Bounds all = bounds_[first];
+    for (std::size_t bin = first + 1; bin <= last; ++bin) {
+        const Bounds& more = bounds_[bin];
+        all.slope = std::max(all.slope, more.slope);
+        all.kink = std::max(all.kink, more.kink);
+        all.curve = std::max(all.curve, more.curve);
+        all.bend_rad = std::min(all.bend_rad, more.bend_rad);
+        all.most = std::max(all.most, more.most);
+    }
+    return all;
 }
 
 } // namespace gonio::detail

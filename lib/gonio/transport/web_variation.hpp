@@ -37,6 +37,7 @@ public:
         double kink = 0.0;     // J [cd/rad]
         double curve = 0.0;    // Q [cd/rad²]
         double bend_rad = 0.0; // the greatest η of J and Q; 0 where they are no bounds, as at the poles
+        double most = 0.0;     // intensity, up to reach_rad away [cd]
     };
 
     // No bounds at all for a web that ends at a longitude at which it is not dark.
@@ -48,6 +49,8 @@ public:
     const glm::dvec3& axis() const { return axis_; }
     // At directions with this cosine of the angle from the axis, in [−1, 1].
     const Bounds& at(double cosine) const { return bounds_[bin_of(is_mirrored_ ? -std::abs(cosine) : cosine)]; }
+    // Over all cosines in a range.
+    Bounds over(double least, double most) const;
 
 private:
     static constexpr std::size_t bins = 128; // uniform in the cosine

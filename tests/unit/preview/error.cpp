@@ -79,6 +79,11 @@ double greatest_difference(const Image& with, const Image& without) {
     return most;
 }
 
+// Evaluations that are not those of pictures without an error.
+std::size_t seen_otherwise(const RenderStats& stats) {
+    return stats.from_center + stats.as_point;
+}
+
 TEST(PictureError, StaysWithinWhatIsAskedFor) {
     struct Rig {
         std::size_t lights;
@@ -93,16 +98,16 @@ TEST(PictureError, StaysWithinWhatIsAskedFor) {
         options.height = 48;
         options.illuminance = true;
         const Rendering exact = render(stage, lights, stage.camera, options).value();
-        EXPECT_EQ(exact.stats.from_center, 0U);
+        EXPECT_EQ(seen_otherwise(exact.stats), 0U);
         std::size_t before = 0;
         for (const double error : {0.001, 0.01, 0.05}) {
             options.error = error;
             const Rendering near = render(stage, lights, stage.camera, options).value();
             EXPECT_LE(greatest_difference(near.luminance_nt, exact.luminance_nt), error) << rig.lights;
             EXPECT_LE(greatest_difference(near.illuminance_lx, exact.illuminance_lx), error) << rig.lights;
-            EXPECT_EQ(near.stats.evaluated, exact.stats.evaluated);
-            EXPECT_GE(near.stats.from_center, before) << rig.lights << " at " << error;
-            before = near.stats.from_center;
+            EXPECT_LE(near.stats.evaluated, exact.stats.evaluated); // webs that are dark towards a chunk are left out
+            EXPECT_GE(seen_otherwise(near.stats), before) << rig.lights << " at " << error;
+            before = seen_otherwise(near.stats);
         }
         if (rig.lights == 2) continue; // each has all of the light somewhere
         EXPECT_GT(before, 0U) << rig.lights;
@@ -122,7 +127,7 @@ TEST(PictureError, IsTheSameWithAnyNumberOfThreads) {
     const Rendering one = render(stage, lights, stage.camera, options).value();
     options.threads = 3;
     const Rendering three = render(stage, lights, stage.camera, options).value();
-    EXPECT_GT(one.stats.from_center, 0U);
+    EXPECT_GT(one.stats.as_point, 0U);
     EXPECT_EQ(one.luminance_nt.pixels, three.luminance_nt.pixels);
 }
 
@@ -144,7 +149,7 @@ TEST(PictureError, LeavesOtherLightsAsTheyAre) {
     const Rendering without = render(stage, lights, stage.camera, options).value();
     options.error = 0.05;
     const Rendering with = render(stage, lights, stage.camera, options).value();
-    EXPECT_EQ(with.stats.from_center, 0U);
+    EXPECT_EQ(seen_otherwise(with.stats), 0U);
     EXPECT_EQ(with.luminance_nt.pixels, without.luminance_nt.pixels);
 }
 

@@ -4,13 +4,16 @@
 #include <gonio/preview/detail/tile_samples.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/point_form.hpp>
 #include <gonio/transport/sample_shader.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,6 +29,7 @@ public:
     void light_up();
 
 private:
+    struct Far;
     struct Group { // chunks of one surface that a light may reach
         const SurfaceSamples* samples;
         std::vector<std::uint32_t> chunks;
@@ -60,8 +64,13 @@ private:
     // The chunks of a group that are so far from the light that it may be seen from its centre are left for later.
     void set_aside(std::uint32_t index, Group& group);
     void shade_far();
-    // Whether the light from its centre stays within the error at every point of the chunk; adds it if so.
+    void find_forms(Far& far);
+    // Whether the light as a point, or from its centre, stays within the error at every point of the chunk; adds it if
+    // so.
+    bool adds_as_point(const Far& far, const SurfaceSamples::Chunk& chunk);
     bool adds_from_center(const LitLight& light, std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
+    // The same for what the shader gave with a bound.
+    bool adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
     void shade_edges(const LitLight& light);
     // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its
     // share.
@@ -90,10 +99,19 @@ private:
 
     // With RenderOptions::error, what every sample has got so far and how far that may be from the exact light: three
     // channels and lux. The former is never more than the exact light.
-    using Amounts = std::array<float, 4>;
+    using Amounts = std::array<std::vector<float>, 4>; // of all samples
+    // Every so many points of a chunk, which are closer together: two rows of pixels.
+    static constexpr std::size_t of_part = 16;
+    static constexpr std::size_t most_parts = 4;
+    struct ChunkPart {
+        SampleBounds points;
+        ViewBounds views;
+    };
     struct Known {
-        std::vector<Amounts> light;
-        std::vector<Amounts> error;
+        Amounts light;
+        Amounts error;
+        std::optional<LobeVariation> lobe;
+        std::vector<std::vector<ChunkPart>> parts; // of each chunk; made when it is first asked for
     };
     std::vector<Known> known_; // for each surface of the tile
     // A light and a chunk far away.
@@ -102,6 +120,14 @@ private:
         std::uint32_t light;
         std::uint32_t surface; // of the tile's
         std::uint32_t chunk;
+        // Of the light as a point, for each part of the chunk, or for all of it.
+        struct Forms {
+            std::array<PointForm, most_parts> of_parts{};
+            std::size_t of_each = 0; // points
+            bool are_bounded = false;
+            double most_lx = std::numeric_limits<double>::infinity();
+        };
+        Forms forms;
     };
     std::vector<Far> far_;
     // What the shader gave, as known.
