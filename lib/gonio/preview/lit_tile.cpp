@@ -455,8 +455,8 @@ void LitTile::shade_far() {
         std::size_t failed = 0; // one after the other
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if (first->forms.are_bounded ? adds_as_point(*first, chunk)
-                                         : adds_from_center(light, first->surface, chunk)) {
+            if ((first->forms.are_bounded && adds_as_point(*first, chunk)) ||
+                adds_from_center(light, first->surface, chunk)) {
                 failed = 0;
                 continue;
             }
