@@ -6,11 +6,16 @@ include(CMakeDependentOption)
 cmake_dependent_option(GONIO_WASM_SCALAR "Compile the plain kernels beside those for SIMD128" "${BUILD_TESTING}" GONIO_WASM_SIMD ON)
 
 # What profiles need: read, measured, drawn, baked. Pictures would take five times as long.
-option(GONIO_WASM_SMALL "Optimise for size, when a module is linked too; libgonio.a is then for this Emscripten alone" OFF)
+option(GONIO_WASM_SMALL "Optimise all for size, without the rooms that profiles do not need" OFF)
 if(GONIO_WASM_SMALL)
-    add_compile_options(-flto)
-    add_link_options(-flto)
     add_compile_definitions(GONIO_NO_EXPLANATIONS) # a tenth of it are sentences that `gonio explain` prints
+endif()
+# A fifth of what is compiled to be small. What is to be quick is not compiled like this (../CMakeLists.txt).
+option(GONIO_WASM_LTO "Optimise modules when they are linked; libgonio.a is then for this Emscripten alone" ${GONIO_WASM_SMALL})
+if(GONIO_WASM_LTO)
+    add_compile_options(-flto)
+    # What is to be inlined or to work on vectors is so before it is linked; the linker's share of both is larger and not quicker.
+    add_link_options(-flto -Wl,-mllvm,-inline-threshold=0,-mllvm,-vectorize-loops=false,-mllvm,-vectorize-slp=false)
 endif()
 
 # Every engine with SIMD has these instructions, which are shorter than what stands for them (those of bulk memory are too, but

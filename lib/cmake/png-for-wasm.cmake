@@ -20,9 +20,11 @@ foreach(name png pngerror pngget pngmem pngpread pngread pngrio pngrtran pngruti
     list(APPEND sources "${GONIO_LIBPNG_SOURCE}/${name}.c")
 endforeach()
 # Errors are thrown through libpng's frames, which WebAssembly unwinds: no setjmp, nor the simplified interface, which needs
-# it.
+# it. Pixels are read as they are, but for palettes and few bits, which are expanded, and nothing is printed.
 file(READ "${GONIO_LIBPNG_SOURCE}/scripts/pnglibconf.h.prebuilt" configuration)
-string(REGEX REPLACE "#define PNG_(SETJMP|SIMPLIFIED_[A-Z_]*)_SUPPORTED" "/* \\1: no */" configuration "${configuration}")
+string(REGEX REPLACE "#define PNG_(SETJMP|SIMPLIFIED_[A-Z_]*|CONSOLE_IO|PROGRESSIVE_READ|READ_(ALPHA_MODE|BACKGROUND|\
+BGR|COMPOSITE_NODIV|FILLER|GAMMA|GRAY_TO_RGB|INVERT|INVERT_ALPHA|PACKSWAP|QUANTIZE|RGB_TO_GRAY|SCALE_16_TO_8|SHIFT|STRIP_16_TO_8|\
+STRIP_ALPHA|SWAP_ALPHA|USER_TRANSFORM))_SUPPORTED" "/* \\1: no */" configuration "${configuration}")
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/png/pnglibconf.h" CONTENT "${configuration}" @ONLY)
 
 add_library(gonio-png STATIC ${sources})

@@ -53,18 +53,34 @@ configure() { # FOLDER OPTIONS
         "${@:2}" > /dev/null
 }
 read -ra targets <<< "${GONIO_WASM_TARGETS:-gonio}"
+build() { # FOLDER TARGET…
+    cmake --build "$1" --parallel "${GONIO_JOBS:-$(nproc)}" --target "${@:2}"
+}
+# Each kind in a folder of its own, since all of it is compiled otherwise: the module of profiles, the modules with the tool, and
+# what is no module.
+tool_modules=()
 others=()
 for target in "${targets[@]}"; do
-    if [[ $target == gonio-core-module ]]; then # in a folder of its own, since all of it is compiled otherwise
-        configure "$folder-small" -DGONIO_WASM_SMALL=ON "$@"
-        cmake --build "$folder-small" --parallel "${GONIO_JOBS:-$(nproc)}" --target gonio-core-module
-        mkdir -p "$folder"
-        cp "$folder-small/gonio-core.mjs" "$folder"
-    else
-        others+=("$target")
-    fi
+    case $target in
+        gonio-core-module)
+            configure "$folder-small" -DGONIO_WASM_SMALL=ON "$@"
+            build "$folder-small" "$target"
+            mkdir -p "$folder"
+            cp "$folder-small/gonio-core.mjs" "$folder"
+            ;;
+        gonio-module | gonio-page-module) tool_modules+=("$target") ;;
+        *) others+=("$target") ;;
+    esac
 done
+if ((${#tool_modules[@]} > 0)); then
+    configure "$folder-modules" -DGONIO_WASM_LTO=ON "$@"
+    build "$folder-modules" "${tool_modules[@]}"
+    mkdir -p "$folder"
+    for target in "${tool_modules[@]}"; do
+        cp "$folder-modules/${target%-module}.mjs" "$folder"
+    done
+fi
 if ((${#others[@]} > 0)); then
     configure "$folder" "$@"
-    cmake --build "$folder" --parallel "${GONIO_JOBS:-$(nproc)}" --target "${others[@]}"
+    build "$folder" "${others[@]}"
 fi

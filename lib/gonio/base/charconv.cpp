@@ -1,8 +1,8 @@
 #include <gonio/base/charconv.hpp>
+#include <gonio/base/nearest_double.hpp>
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -72,16 +72,6 @@ const char* skip_not_finite(const char* first, const char* last, double& value) 
     return p != last && *p == ')' ? p + 1 : end;
 }
 
-double to_double(const char* first, const char* last) {
-    const auto size = static_cast<std::size_t>(last - first);
-    std::array<char, 128> buffer{};
-    if (size < buffer.size()) {
-        std::memcpy(buffer.data(), first, size);
-        return std::strtod(buffer.data(), nullptr);
-    }
-    return std::strtod(std::string(first, last).c_str(), nullptr);
-}
-
 std::to_chars_result put(char* first, char* last, std::string_view text) {
     if (last - first < static_cast<std::ptrdiff_t>(text.size())) return {last, std::errc::value_too_large};
     std::memcpy(first, text.data(), text.size());
@@ -137,7 +127,7 @@ std::from_chars_result portable_from_chars(const char* first, const char* last, 
     bool nonzero = false;
     const char* const end = skip_decimal(begin, last, nonzero);
     if (end == nullptr) return {first, std::errc::invalid_argument};
-    const double read = to_double(first, end);
+    const double read = nearest_double({first, static_cast<std::size_t>(end - first)});
     if (std::isinf(read) || (nonzero && read == 0.0)) return {end, std::errc::result_out_of_range};
     value = read;
     return {end, std::errc()};

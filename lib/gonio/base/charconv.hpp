@@ -9,8 +9,8 @@
 
 namespace gonio {
 
-// What std::from_chars and std::to_chars do, by strtod, snprintf and fmt. Here on every machine, so that tests can
-// compare the two; strtod takes the locale's decimal point, which gonio never sets.
+// What std::from_chars and std::to_chars do, by nearest_double and fmt. Here on every machine, so that tests can
+// compare the two.
 std::from_chars_result portable_from_chars(const char* first, const char* last, double& value);
 std::to_chars_result portable_to_chars(char* first, char* last, double value, std::chars_format format);
 std::to_chars_result portable_to_chars(char* first, char* last, double value, std::chars_format format, int precision);
