@@ -1,6 +1,6 @@
-// What replaces two functions of the C library in the modules (the linker's --wrap): its own take a fiftieth of the
-// module of profiles, strtod because it works in 128-bit floating point, and snprintf because it knows every directive.
-// gonio calls neither; nlohmann::json, fmt and libc++ do.
+// What replaces functions of the C library in modules (the linker's --wrap): strtod in all, which works in 128-bit
+// floating point there, and snprintf in the module of profiles, a fiftieth of which they would be. Nothing of gonio
+// that is in these modules calls them, but nlohmann::json, fmt and libc++ do.
 #include <gonio/base/charconv.hpp>
 #include <gonio/base/nearest_double.hpp>
 

@@ -447,6 +447,7 @@ await quiet(tab, 'units and colour');
 
 {
   await goTo('export');
+  await tab.waitForSelector('#panel-export .targets input', { timeout: 60000 }); // listed last, by the module
   await tab.evaluate(() => {
     globalThis.saved = [];
     const make = URL.createObjectURL;
