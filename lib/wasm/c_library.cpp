@@ -15,7 +15,9 @@
 #include <system_error>
 
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-*,cppcoreguidelines-pro-type-const-cast,cppcoreguidelines-pro-type-vararg):
-// names of the linker, types of C A decimal as JSON has it: without blanks or a plus sign in front.
+// names of the linker, types of C.
+
+// A decimal as JSON has it: without blanks or a plus sign in front.
 extern "C" double __wrap_strtod(const char* text, char** end) {
     double value = 0.0;
     const auto [stop, error] = gonio::portable_from_chars(text, text + std::strlen(text), value);

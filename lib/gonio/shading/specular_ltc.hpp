@@ -286,8 +286,9 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
             const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
             by_rows = by_rows * simd::mul_add(trust * trust, ratio - S(1), S(1));
             // Rows of a light seen edge-on may be lost to rounding, or be elsewhere: then C is far from K, which is
-            // computed with care for such lights.
-            const auto lost = simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3)));
+            // computed with care for such lights. A K of 0 says nothing: the cosine may be negative there.
+            const auto lost =
+                simd::both(k > S(0), simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3))));
             by_share = simd::either(by_share, lost);
         }
         value = simd::select(small, value, simd::select(by_share, k, by_rows));

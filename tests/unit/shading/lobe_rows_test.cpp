@@ -1,6 +1,7 @@
 // Rows of points that a lobe places: their places, and their sums against quadrature, float and the parts of a light.
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
+#include <gonio/measure/specular_truth.hpp>
 #include <gonio/shading/specular_ltc.hpp>
 
 #include "../scaled.hpp"
@@ -117,6 +118,29 @@ TEST(LobeRows, NineteenOfTwentyPosesAreWithinTenPercent) {
                        std::to_string(truth.median) + " " + std::to_string(truth.p95) + " " +
                            std::to_string(rounding.median) + " " + std::to_string(rounding.p95));
     }
+}
+
+// A narrow lobe's tail beside a large panel, where the transformed cosine is negative over all of the light in sum.
+// Quadrature gives 0.00236.
+TEST(LobeRows, ATailWhereTheCosineIsNegativeIsNotDark) {
+    LightConstants light;
+    light.kind = Kind::rectangle;
+    const Vec axis{-0.026265027, -0.990751445, 0.133123145};
+    const Vec along{-0.948781729, -0.0172348954, -0.315461844};
+    const float axes[2][3] = {{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
+                              {static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)}};
+    std::copy_n(&axes[0][0], 3, &light.axis[0]);
+    std::copy_n(&axes[1][0], 3, &light.width_direction[0]);
+    light.width = 0.5985F;
+    light.height = 0.2008F;
+    const Vec center{-0.160413548, 0.00693905586, -0.012904115};
+    const Vec normal{-0.268893182, -0.339419305, -0.901382804};
+    const Vec view{0.922933936, 0.134340435, -0.360756904};
+    const double alpha = 0.01464;
+    const double truth = measure::specular_by_quadrature(light, center, normal, view, alpha);
+    EXPECT_NEAR(truth, 0.00236, 1e-5);
+    const double found = measure::specular_in_double(light, SpecularMethod::ltc, center, normal, view, alpha);
+    EXPECT_NEAR(found, truth, 0.5 * truth);
 }
 
 // A rectangle is the sum of its halves as far as the sums are exact: its rows are placed otherwise than theirs.
