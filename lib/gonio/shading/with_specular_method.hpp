@@ -5,8 +5,8 @@
 
 namespace gonio::shading {
 
-// work.template operator()<method>(), whose result is returned; a value-initialised one for a value that is no method. With
-// GONIO_STANDARD_METHODS, where nobody can choose a method, there is none but the standard one.
+// work.template operator()<method>(), whose result is returned; a value-initialised one for a value that is no method.
+// With GONIO_STANDARD_METHODS, where nobody can choose a method, there is none but the standard one.
 template<class Work>
 auto with_specular_method(SpecularMethod method, const Work& work)
     -> decltype(work.template operator()<SpecularMethod::ltc>()) {
