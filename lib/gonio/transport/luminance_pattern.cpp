@@ -387,13 +387,8 @@ void LuminancePattern::from_center(const transport::Receivers& receivers, const 
     share.assign(count, 1.0F);
     if (image_ != nullptr) return;
     const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
-    transport::LightFrame axes;
-    copy(light_.frame.origin - anchor, axes.origin);
-    copy(frame.x, axes.x);
-    copy(frame.y, axes.y);
-    copy(frame.z, axes.z);
-    intensity.web({{receivers.position[0], receivers.position[1], receivers.position[2]}, count}, axes,
-                  web_->constants(light_.web_scale), share.data());
+    candela({{receivers.position[0], receivers.position[1], receivers.position[2]}, count}, anchor, intensity,
+            share.data());
     const double radius_m =
         with_traits(light_.shape, [](const auto& kind, auto traits) { return traits.radius(kind); });
     const LuminousBody* const body = light_.emission != nullptr ? light_.emission->body.get() : nullptr;

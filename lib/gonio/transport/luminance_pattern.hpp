@@ -68,7 +68,8 @@ public:
                      std::vector<float>& error) const;
     bool has_center_form() const { return variation_ != nullptr && variation_->is_bounded(); }
 
-    // The candela that the web sends from the centre towards each point, for a face of a luminous opening.
+    // The candela that the web sends from the centre towards each point, for a face of a luminous opening; behind a
+    // mask the web has no unit.
     void candela(const transport::Points& points, const glm::dvec3& anchor,
                  const transport::IntensityKernels& intensity, float* cd) const;
     // How much the web changes with direction; null for a light with an image.

@@ -24,7 +24,7 @@ namespace gonio::detail {
 
 // How fast a material can change with the direction of the light, as far as a bound needs it.
 struct LobeVariation {
-    // Nothing for materials without a bound: all but Lambert's, Frostbite's and GGX alone, without a coat.
+    // Of Lambert's, Frostbite's and GGX alone, without a coat; nothing for other materials, which have no bound.
     static std::optional<LobeVariation> of(const CoreMaterial& material);
 
     double alpha = 1.0;             // of the lobe
