@@ -65,7 +65,7 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
                                            vec3<S> v) {
     PointSums<S> sums{S(0), S(0), S(0)};
     constexpr double least = 1e-18; // its cube is still a float
-    points.for_each([&](vec3<S> p, S strength, auto... by_cosine) __attribute__((always_inline)) {
+    points.for_each([&](vec3<S> p, S strength, [[maybe_unused]] auto... by_cosine) __attribute__((always_inline)) {
         const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
         const vec3<S> l = p * inverse;
         const auto lit = above_surface(l.z);
