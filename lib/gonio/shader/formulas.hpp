@@ -1,4 +1,4 @@
-// The closed table of the formulas that have a shader: what is asked for, and how it is recorded.
+// The formulas that have a shader: what is asked for, and how it is recorded.
 #pragma once
 
 #include <gonio/shader/function.hpp>
@@ -21,6 +21,18 @@ struct Formula {
     void (*record)(Function&);
 };
 
+// Whether a light is seen from one side of its plane.
+constexpr bool is_flat(std::string_view light) {
+    return light == "disk" || light == "rect";
+}
+
+// What lights give and what they leave of a sky; BRDFs and their samples; materials under lights, with highlights by
+// points; highlights by linearly transformed cosines.
+std::span<const Formula> formulas_of_lights();
+std::span<const Formula> formulas_of_materials();
+std::span<const Formula> formulas_of_shading();
+std::span<const Formula> formulas_of_highlights();
+// All of them.
 std::span<const Formula> formulas();
 
 // The formula, recorded anew.

@@ -134,9 +134,11 @@ void rows_stages(Function& f, const Highlight& highlight, const Lobe<S>& lobe, c
     using Cosine = std::remove_cvref_t<decltype(pose.cosine)>;
     const core::detail::RowPoints<S, Region, Lobe<S>, Cosine> rows(region, pose.cosine, lobe, pose.v);
     label_points(f, rows, pose.v);
-    constexpr auto which = Lobe<S>::is_even ? CosineSum::of_rows : CosineSum::none;
+    constexpr auto which = core::detail::sum_of_rows<Region, Lobe<S>>;
     label_sums(f, core::detail::point_sums<which>(rows, lobe, pose.cosine, pose.v), "rows_",
-               "Along rows of points that the cosine places in the light: the lobe itself, and the cosine.");
+               which == CosineSum::none
+                   ? "Along rows of points that the cosine places in the light: the lobe itself."
+                   : "Along rows of points that the cosine places in the light: the lobe itself, and the cosine.");
     f.returns(highlight.luminance(core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of)));
 }
 template<class Light>

@@ -50,11 +50,10 @@ struct GgxLobe {
     GONIO_FORCE_INLINE S value(vec3<S> l, vec3<S> v, const HalfVector<S>& h) const {
         const S of_v = l.z * widened_cosine_ggx(v.z, alpha);
         const S of_l = v.z * widened_cosine_ggx(l.z, alpha);
-        // D V with one division; the power of two keeps the denominator a float where l and v are almost opposite.
-        constexpr double scale = 0x1p40;
-        const S t = simd::mul_add(alpha * alpha, h.along2, h.across2) * S(scale);
-        const S s2 = h.square * S(scale);
-        return alpha * alpha * S(0.5 * std::numbers::inv_pi) * (s2 * s2) / simd::max(t * t * (of_v + of_l), S(1e-36));
+        // D V with one division. Its denominator may vanish only where l and v are opposite in the surface.
+        const S t = simd::mul_add(alpha * alpha, h.along2, h.across2);
+        return alpha * alpha * S(0.5 * std::numbers::inv_pi) * (h.square * h.square) /
+               simd::max(t * t * (of_v + of_l), S(1e-36));
     }
     // The ratio of this lobe's directional albedo to that of the GGX lobe with the same α.
     GONIO_FORCE_INLINE S albedo_share(S /*n_dot_v*/) const { return S(1); }

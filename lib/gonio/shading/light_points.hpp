@@ -129,34 +129,31 @@ struct TubePoints {
     }
 };
 
-inline constexpr std::size_t most_light_points = 10; // a tube's
-inline constexpr std::size_t most_row_points = 30;   // a tube's
+inline constexpr std::size_t most_points = 48; // rows of a tube
 
 // The points of a light of any kind, or RowPoints (lobe_rows.hpp) with what they know of the cosine.
-template<class S, bool of_rows = false>
+template<class S, bool with_cosine = false>
 struct GatheredPoints {
-    static constexpr std::size_t most = of_rows ? most_row_points : most_light_points;
-
-    vec3<S> at[most];
-    S strength[most];
-    S by_cosine[of_rows ? most : 1];
+    vec3<S> at[most_points];
+    S strength[most_points];
+    S by_cosine[with_cosine ? most_points : 1];
     std::size_t count;
 
     template<class Points>
     GONIO_FORCE_INLINE void gather(const Points& points) {
-        static_assert(Points::size <= most);
+        static_assert(Points::size <= most_points);
         count = 0;
         points.for_each([&](vec3<S> p, S s, auto... of_cosine) __attribute__((always_inline)) {
             at[count] = p;
             strength[count] = s;
-            if constexpr (of_rows) ((by_cosine[count] = of_cosine), ...);
+            if constexpr (with_cosine) ((by_cosine[count] = of_cosine), ...);
             ++count;
         });
     }
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         for (std::size_t i = 0; i < count; ++i) {
-            if constexpr (of_rows)
+            if constexpr (with_cosine)
                 work(at[i], strength[i], by_cosine[i]);
             else
                 work(at[i], strength[i]);

@@ -25,21 +25,34 @@
 
 namespace gonio::shading::detail {
 
-// A pair ±at of points of a Gauss–Legendre rule on [-1, 1].
+// A pair ±at of points of a rule on [-1, 1].
 template<class Number>
 struct AnglePairOf {
     Number weight, at;
 };
 using AnglePair = AnglePairOf<float>;
-// Members of a template on the scalar: nothing here may be shared between instruction sets.
+template<std::size_t pairs>
+struct SymmetricRule {
+    AnglePair pair[pairs];
+    float middle = 0.0F; // the weight of a point at 0, if there is one
+
+    constexpr std::size_t size() const { return 2 * pairs + (middle > 0.0F ? 1 : 0); }
+};
+// Gauss–Legendre but for one. Members of a template on the scalar: nothing here may be shared between instruction sets.
 template<class S>
 struct LobeRule {
-    static constexpr AnglePair four[2] = {{0.65214515F, 0.33998104F}, {0.34785485F, 0.86113631F}};
-    static constexpr AnglePair six[3] = {
-        {0.46791393F, 0.23861919F}, {0.36076157F, 0.66120939F}, {0.17132449F, 0.93246951F}};
-    // Five, with the weight of the middle one.
-    static constexpr float middle = 0.56888889F;
-    static constexpr AnglePair five[2] = {{0.47862867F, 0.53846931F}, {0.23692689F, 0.90617985F}};
+    static constexpr SymmetricRule<2> four{{{0.65214515F, 0.33998104F}, {0.34785485F, 0.86113631F}}};
+    static constexpr SymmetricRule<2> five{{{0.47862867F, 0.53846931F}, {0.23692689F, 0.90617985F}}, 0.56888889F};
+    static constexpr SymmetricRule<3> six{
+        {{0.46791393F, 0.23861919F}, {0.36076157F, 0.66120939F}, {0.17132449F, 0.93246951F}}};
+    static constexpr SymmetricRule<4> eight{{{0.36268378F, 0.18343464F},
+                                             {0.31370665F, 0.52553241F},
+                                             {0.22238103F, 0.79666648F},
+                                             {0.10122854F, 0.96028986F}}};
+    // For a function that begins and ends like a root: exact for √(1 − x²) times a polynomial of x of degree 11
+    // (Gauss–Chebyshev of the second kind, its weights over that root).
+    static constexpr SymmetricRule<3> six_of_roots{
+        {{0.43754662F, 0.22252093F}, {0.35088515F, 0.6234898F}, {0.19472657F, 0.90096887F}}};
 };
 
 // The points of a rule by their angles, from the least to the greatest.
@@ -47,25 +60,15 @@ template<std::size_t count>
 struct AngleRule {
     AnglePair at[count];
 };
-template<std::size_t pairs>
-constexpr AngleRule<2 * pairs> in_order(const AnglePair (&rule)[pairs]) {
-    AngleRule<2 * pairs> all{};
+template<const auto& rule>
+constexpr AngleRule<rule.size()> in_order() {
+    AngleRule<rule.size()> all{};
+    constexpr std::size_t pairs = std::size(rule.pair);
     for (std::size_t i = 0; i < pairs; ++i) {
-        all.at[pairs + i] = rule[i];
-        all.at[pairs - 1 - i] = {rule[i].weight, -rule[i].at};
+        all.at[rule.size() - pairs + i] = rule.pair[i];
+        all.at[pairs - 1 - i] = {rule.pair[i].weight, -rule.pair[i].at};
     }
-    return all;
-}
-// Of an odd number, the one in the middle with this weight.
-template<std::size_t pairs>
-constexpr AngleRule<2 * pairs + 1> in_order(const AnglePair (&rule)[pairs], float middle) {
-    const AngleRule<2 * pairs> even = in_order(rule);
-    AngleRule<2 * pairs + 1> all{};
-    for (std::size_t i = 0; i < pairs; ++i) {
-        all.at[i] = even.at[i];
-        all.at[pairs + 1 + i] = even.at[pairs + i];
-    }
-    all.at[pairs] = {middle, 0.0F};
+    if (rule.middle > 0.0F) all.at[pairs] = {rule.middle, 0.0F};
     return all;
 }
 
@@ -82,12 +85,19 @@ struct Fan {
         // Opposite directions leave their sum to rounding.
         const auto opposite = sum2 < S(1e-6);
         const S length = simd::sqrt(simd::select(opposite, S(1), sum2));
-        middle = select(opposite, vec2<S>{-from.y, from.x}, sum * (S(1) / length));
-        beside = {-middle.y, middle.x};
-        const S across = S(0.5) * cross(middle, to - from); // the sine of half
-        const S t = across / (S(1) + simd::select(opposite, S(0), S(0.5) * length));
-        half = t * simd::detail::polynomial(t * t, 2.0F, -0.6666094F, 0.39708839F, -0.26035562F, 0.13668811F,
-                                            -0.036046437F);
+        const vec2<S> bisector = select(opposite, vec2<S>{-from.y, from.x}, sum * (S(1) / length));
+        const S across = S(0.5) * cross(bisector, to - from); // the sine of half
+        set(bisector, across / (S(1) + simd::select(opposite, S(0), S(0.5) * length)));
+    }
+    // From the direction of (1, from) to that of (1, to), −1e4 ≤ from ≤ to ≤ 1e4.
+    GONIO_FORCE_INLINE Fan(S from, S to) {
+        const S a = simd::sqrt(simd::mul_add(from, from, S(1)));
+        const S b = simd::sqrt(simd::mul_add(to, to, S(1)));
+        const vec2<S> sum{a + b, simd::mul_add(from, b, to * a)}; // 2ab cos(half) long
+        const S length = simd::sqrt(dot(sum, sum));
+        const S twice = S(2) * a * b;
+        const S inverse = S(1) / (length * (twice + length));
+        set(sum * (inverse * (twice + length)), (to - from) * inverse * twice);
     }
     // Of an angle up to 0.94·π/2; sine and cosine are within 5e-6 (minimax).
     struct Turn {
@@ -114,15 +124,28 @@ struct Fan {
             work(middle * cosine + beside * sine, half * S(point.weight));
         });
     }
-    // Both points of each pair, with their shares of the whole angle.
+    // All points of a rule, with their shares of the whole angle.
     template<std::size_t pairs>
-    GONIO_FORCE_INLINE void divide(const AnglePair (&rule)[pairs], vec2<S>* at, S* share) const {
-        for (const AnglePair& pair : rule)
+    GONIO_FORCE_INLINE void divide(const SymmetricRule<pairs>& rule, vec2<S>* at, S* share) const {
+        if (rule.middle > 0.0F) {
+            *at++ = middle;
+            *share++ = half * S(rule.middle);
+        }
+        for (const AnglePair& pair : rule.pair)
             for_both(
                 pair, [&](vec2<S> direction, S angle) __attribute__((always_inline)) {
                     *at++ = direction;
                     *share++ = angle;
                 });
+    }
+
+private:
+    // `t` is the tangent of half of `half`.
+    GONIO_FORCE_INLINE void set(vec2<S> bisector, S t) {
+        middle = bisector;
+        beside = {-middle.y, middle.x};
+        half = t * simd::detail::polynomial(t * t, 2.0F, -0.6666094F, 0.39708839F, -0.26035562F, 0.13668811F,
+                                            -0.036046437F);
     }
 };
 
@@ -165,15 +188,19 @@ GONIO_FORCE_INLINE vec3<S> touching_plane(vec3<S> rim, vec3<S> by_cos, vec3<S> b
 //     for_each_extreme(A, work)  work(p', whether p is in the region, or on its outline) for points that include those
 //                                of the greatest and least ω about A; work also gets all ω where A is in the region
 //     row(B, A)                  the part of a row
-//     rows                       the rule over ω
+//     rows, along_row            the rules over ω and along a row
+//     has_corners                whether the length of a row, over ω, has kinks, which a rule does not know
 
 // A rectangle. The patch's centre, u and v are in the receiver's frame.
 template<class S>
 struct RectangleRegion {
     static constexpr const auto& rows = LobeRule<S>::four;
+    static constexpr const auto& along_row = LobeRule<S>::five;
+    static constexpr bool has_corners = true;
 
     vec3<S> corner[4];
-    S up[4]; // their heights above the horizon
+    S up[4];              // their heights above the horizon
+    simd::mask_of<S> cut; // one is below
     vec3<S> edge[4];
     vec3<S> horizon;
     vec3<S> nearest;
@@ -201,17 +228,19 @@ struct RectangleRegion {
         edge[2] = normalized(cross(u1, corner[2]) * sign);
         edge[3] = normalized(cross(v1, corner[3]) * sign);
         nearest = nearer_plane(nearer_plane(edge[0], edge[1]), nearer_plane(edge[2], edge[3]));
-        const auto cut = simd::min(simd::min(up[0], up[1]), simd::min(up[2], up[3])) < S(0);
+        cut = simd::min(simd::min(up[0], up[1]), simd::min(up[2], up[3])) < S(0);
         nearest = select(cut, nearer_plane(nearest, horizon), nearest);
     }
 
     template<class Work>
     GONIO_FORCE_INLINE void for_each_extreme(vec3<S> /*axis*/, const Work& work) const {
+        for (std::size_t i = 0; i < 4; ++i)
+            work(corner[i], up[i] >= S(0));
+        if (!simd::any(cut)) return;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t next = (i + 1) % 4;
-            const auto above = up[i] >= S(0);
-            work(corner[i], above);
-            const auto crosses = simd::either(simd::both(above, up[next] < S(0)), simd::both(!above, up[next] >= S(0)));
+            const auto crosses =
+                simd::either(simd::both(up[i] >= S(0), up[next] < S(0)), simd::both(up[i] < S(0), up[next] >= S(0)));
             const S t = up[i] / simd::select(crosses, up[i] - up[next], S(1));
             work(corner[i] + (corner[next] - corner[i]) * t, crosses);
         }
@@ -308,7 +337,9 @@ struct CircleCone {
 // A sphere, a disk or the sun; `inside`: the whole hemisphere.
 template<class S>
 struct CircleRegion {
-    static constexpr const auto& rows = LobeRule<S>::four;
+    static constexpr const auto& rows = LobeRule<S>::six_of_roots;
+    static constexpr const auto& along_row = LobeRule<S>::six;
+    static constexpr bool has_corners = false;
 
     CircleCone<S> cone;
     vec3<S> horizon;
@@ -357,7 +388,9 @@ struct TubeSeen {
 // A tube: the convex hull of its ends' cones.
 template<class S>
 struct TubeRegion {
-    static constexpr const auto& rows = LobeRule<S>::six;
+    static constexpr const auto& rows = LobeRule<S>::eight;
+    static constexpr const auto& along_row = LobeRule<S>::six;
+    static constexpr bool has_corners = false;
 
     CircleCone<S> end[2];
     vec3<S> touch[2][2]; // where the side's two tangent planes touch the ends
@@ -489,13 +522,13 @@ struct Extremes {
     }
 };
 
-// The rule over ω: more rows for a lobe whose ridge may bend.
-template<class S, class Region, bool is_even>
+// The rule over ω: at least six rows for a lobe whose ridge may bend.
+template<class S, class Region, bool more>
 struct RowRule {
     static constexpr const auto& rows = Region::rows;
 };
 template<class S, class Region>
-struct RowRule<S, Region, false> {
+struct RowRule<S, Region, true> {
     static constexpr const auto& rows = LobeRule<S>::six;
 };
 
@@ -504,9 +537,10 @@ struct RowRule<S, Region, false> {
 template<class S, class Region, class Lobe, class Cosine>
 class RowPoints {
 public:
-    static constexpr const auto& rule = RowRule<S, Region, Lobe::is_even>::rows;
-    static constexpr std::size_t rows = 2 * std::size(rule);
-    static constexpr std::size_t points_of_row = 1 + 2 * std::size(LobeRule<S>::five);
+    static constexpr bool needs_more_rows = !Lobe::is_even && (Region::rows.size() < 6);
+    static constexpr const auto& rule = RowRule<S, Region, needs_more_rows>::rows;
+    static constexpr std::size_t rows = rule.size();
+    static constexpr std::size_t points_of_row = Region::along_row.size();
     static constexpr std::size_t size = rows * points_of_row;
 
     GONIO_FORCE_INLINE RowPoints(const Region& region, const Cosine& cosine, const Lobe& lobe, vec3<S> v)
@@ -544,7 +578,8 @@ public:
         const S alpha = lobe.width(beside);
         const S further = simd::min(simd::max(ahead_by, alpha * alpha), S(2) * alpha);
         const vec2<S> limit = normalized(horizon + vec2<S>{-horizon.y, horizon.x} * further);
-        last_ = select(simd::both(before > S(0), cross(limit, last_) > S(0)), limit, last_);
+        const auto within = simd::both(before > S(0), limit.y > S(0)); // less than half a turn from the first
+        last_ = select(simd::both(within, cross(limit, last_) > S(0)), limit, last_);
         const auto empty = simd::both(cross(first_, last_) <= S(0), dot(first_, last_) > S(-0.5));
 
         const S determinant = simd::mul_add(cosine.m00, cosine.m22, -(cosine.m02 * cosine.m20));
@@ -561,7 +596,7 @@ public:
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         const Fan<S> around(first_, last_);
         if constexpr (simd::is_recorded<S>) {
-            around.for_each(in_order(rule), [&](vec2<S> turned, S turn) { for_each_of_row(turned, turn, work); });
+            around.for_each(in_order<rule>(), [&](vec2<S> turned, S turn) { for_each_of_row(turned, turn, work); });
         } else {
             // One loop over each, so that its body is compiled once.
             vec2<S> turned[rows];
@@ -595,7 +630,9 @@ private:
         const S last = simd::max(part.to, part.from);
         const vec3<S> toward_base = back_(base);
         S least = S(0);
-        S width = S(1);
+        S dr2 = S(1);
+        S spread = S(1);
+        S width = S(1); // spread/dr2
         for (int step = 0; step < (Lobe::is_even ? 1 : 2); ++step) {
             const S nearest = simd::min(simd::max(part.from, least), last);
             const vec3<S> toward_nearest = mul_add(toward_axis_, nearest, toward_base);
@@ -607,10 +644,12 @@ private:
             const vec2<S> r = slopes_({h.x * inverse_z, h.y * inverse_z});
             const vec2<S> dr = slopes_({simd::mul_add(-(h.x * inverse_z), change.z, change.x) * inverse_z,
                                         simd::mul_add(-(h.y * inverse_z), change.z, change.y) * inverse_z});
-            const S inverse_dr2 = S(1) / simd::max(dot(dr, dr), S(1e-30));
+            dr2 = simd::max(dot(dr, dr), S(1e-30));
+            const S inverse_dr2 = S(1) / dr2;
             least = simd::mul_add(-dot(r, dr), inverse_dr2, nearest);
             const S aside = cross(r, dr);
-            width = simd::sqrt(simd::mul_add(aside * aside, inverse_dr2, S(1)) * inverse_dr2);
+            spread = simd::sqrt(simd::mul_add(aside, aside, dr2));
+            width = spread * inverse_dr2;
         }
 
         if constexpr (!Lobe::is_even) {
@@ -619,13 +658,14 @@ private:
             const S reach = S(1e3) * (last - part.from);
             least = simd::min(simd::max(least, part.from - reach), last + reach);
         }
-        const S farthest = S(1e4) * width;
+        // In units of the width.
+        const S inverse_width = dr2 / simd::max(spread, S(1e-30));
         const auto clamped = [&](S tau) __attribute__((always_inline)) {
-            return simd::min(simd::max(tau - least, -farthest), farthest);
+            return simd::min(simd::max((tau - least) * inverse_width, S(-1e4)), S(1e4));
         };
         const S from = clamped(part.from);
         const S to = clamped(part.to);
-        const Fan<S> along(normalized(vec2<S>{width, from}), normalized(vec2<S>{width, to}));
+        const Fan<S> along(from, to);
         const S strength = simd::select(from < to, strength_ * turn * width, S(0));
         // The direction at τ = least + width·y/x, times x. Transformed it is x B + t A with t = x τ, where A is level.
         const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
@@ -638,13 +678,11 @@ private:
             work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength, rising * angle * ratio * ratio);
         };
         if constexpr (simd::is_recorded<S>) {
-            along.for_each(in_order(LobeRule<S>::five, LobeRule<S>::middle), place);
+            along.for_each(in_order<Region::along_row>(), place);
         } else {
             vec2<S> at[points_of_row];
             S angle[points_of_row];
-            at[0] = along.middle;
-            angle[0] = along.half * S(LobeRule<S>::middle);
-            along.divide(LobeRule<S>::five, &at[1], &angle[1]);
+            along.divide(Region::along_row, &at[0], &angle[0]);
             for (std::size_t k = 0; k < points_of_row; ++k)
                 place(at[k], angle[k]);
         }

@@ -59,6 +59,10 @@ struct PointSums {
 // the cosine where it is positive.
 enum class CosineSum { none, of_rows, positive };
 
+// Of the rows in a region: what corrects their sum.
+template<class Region, class Lobe>
+inline constexpr CosineSum sum_of_rows = (Lobe::is_even && Region::has_corners) ? CosineSum::of_rows : CosineSum::none;
+
 // `points` are those of a light (light_points.hpp) or RowPoints, which also know the cosine.
 template<CosineSum which, class S, class Points, class Lobe, bool sheared>
 GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
@@ -68,9 +72,8 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
     points.for_each([&](vec3<S> p, S strength, [[maybe_unused]] auto... by_cosine) __attribute__((always_inline)) {
         const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
         const vec3<S> l = p * inverse;
-        const auto lit = above_surface(l.z);
-        const S solid_angle = simd::select(lit, strength * inverse * inverse * inverse, S(0));
-        const S n_dot_l = simd::select(lit, l.z, S(1));
+        const S solid_angle = strength * inverse * inverse * inverse;
+        const S n_dot_l = simd::max(l.z, S(0)); // 0 leaves any lobe finite
         const HalfVector<S> h = half_vector(l, v);
         const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
         simd::accumulate(sums.value, value);
@@ -80,15 +83,16 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
         } else if constexpr (which == CosineSum::positive) {
             const vec3<S> q = cosine(l);
             const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
-            simd::accumulate_product(sums.by_cosine, simd::max(q.z, S(0)) * inverse_q * inverse_q, solid_angle);
+            const S above = simd::select(l.z > S(0), simd::max(q.z, S(0)), S(0));
+            simd::accumulate_product(sums.by_cosine, above * inverse_q * inverse_q, solid_angle);
         }
     });
     return sums;
 }
 
 // The same for points of any light: not inlined, where kernels are to be small.
-template<CosineSum which, class S, class Lobe, bool of_rows, bool sheared>
-[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, of_rows>& points, const Lobe& lobe,
+template<CosineSum which, class S, class Lobe, bool with_cosine, bool sheared>
+[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, with_cosine>& points, const Lobe& lobe,
                                     const LtcLobe<S, sheared>& cosine, const vec3<S>& v, PointSums<S>& sums) {
     sums = point_sums<which>(points, lobe, cosine, v);
 }
@@ -245,14 +249,16 @@ GONIO_FORCE_INLINE S grazing_share(const PointSums<S>& sums) {
 // n·v is not positive. Light is any light with a size, or a SunLight; its window is not applied.
 //
 // The lobe is summed over the light's own points if the light is small compared with the lobe, otherwise over rows of
-// points. With F and C the sums of the lobe and of the transformed cosine over the rows, and K the cosine's exact
-// share, the result is
+// points. That sum, F, is the result for a light without corners. In a light it is the lobe's albedo.
+//
+// Rows do not know where a light has its corners. With C the sum of the transformed cosine over the rows of such a
+// light, and K the cosine's exact share, the result is
 //
 //     F (1 + w² (K/C − 1)),  w = K C/((C − K)²/0.2² + K C)
 //
 // If the points give the cosine's share nearly, they err in the lobe as in the cosine, so K/C mends both; w is near 1
-// then. If they do not, F stays. In a light only the share is known. A lobe that is not the same in all directions of
-// the surface is less like its cosine, and F is the result.
+// then. If they do not, F stays. A lobe that is not the same in all directions of the surface is less like its cosine,
+// and F is the result.
 //
 // `cosine_of(n·v, ‖n×v‖)` gives the transformed cosine of the lobe's α.
 template<class S, class Light, template<class> class Lobe, class CosineOf>
@@ -272,14 +278,14 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         const auto region = detail::region_of(cosine, points, light, frame, to_center);
         const detail::RowPoints<S, decltype(region), Lobe<S>, std::remove_cvref_t<decltype(cosine)>> rows(
             region, cosine, lobe, v);
-        constexpr auto which = Lobe<S>::is_even ? detail::CosineSum::of_rows : detail::CosineSum::none;
+        constexpr auto which = detail::sum_of_rows<std::remove_cv_t<decltype(region)>, Lobe<S>>;
         const detail::PointSums<S> sums = detail::sums_over<which>(rows, lobe, cosine, v);
         S by_rows = sums.value;
-        S k = cosine.albedo * lobe.albedo_share(v.z);
+        const S albedo = cosine.albedo * lobe.albedo_share(v.z);
+        S share = albedo;
         auto by_share = detail::surrounded(light, to_center);
-        if constexpr (Lobe<S>::is_even) {
-            const S albedo = k;
-            k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
+        if constexpr (which == detail::CosineSum::of_rows) {
+            const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
             const S c = detail::summed_share(sums, cosine, albedo);
             const auto both = simd::both(k > S(0), c > S(0));
             const S trust = detail::trust(c, k, 0.2);
@@ -287,11 +293,19 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
             by_rows = by_rows * simd::mul_add(trust * trust, ratio - S(1), S(1));
             // Rows of a light seen edge-on may be lost to rounding, or be elsewhere: then C is far from K, which is
             // computed with care for such lights. A K of 0 says nothing: the cosine may be negative there.
-            const auto lost =
+            by_share =
                 simd::both(k > S(0), simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3))));
-            by_share = simd::either(by_share, lost);
+            share = k;
+        } else if constexpr (Lobe<S>::is_even && !simd::is_recorded<S>) {
+            // Floats may lose all rows of a cone that is nearly flat, or whose side almost meets the receiver.
+            const auto lost = simd::both(!simd::either(small, dark), !(by_rows > S(0)));
+            if (simd::any(lost)) {
+                const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
+                share = simd::select(lost, k, share);
+                by_share = simd::either(by_share, lost);
+            }
         }
-        value = simd::select(small, value, simd::select(by_share, k, by_rows));
+        value = simd::select(small, value, simd::select(by_share, share, by_rows));
         grazing = simd::select(small, grazing,
                                simd::select(by_share, cosine.grazing / cosine.albedo, detail::grazing_share(sums)));
     }

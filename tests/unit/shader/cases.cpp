@@ -484,7 +484,7 @@ bool draw_light_density(Dice& dice, Inputs& in, std::string_view light, core_vec
     const bool misses = dice.one_in(8);
     if (misses) drawn = shading::normalized(drawn + across * dice.log_between(1e-2, 1.0));
     const core_vector direction = in.put(drawn);
-    if ((light == "disk" || light == "rect") && std::fabs(shading::dot(in.vector(3), direction)) < 0.01) return false;
+    if (is_flat(light) && std::fabs(shading::dot(in.vector(3), direction)) < 0.01) return false;
     const core_vector up = shading::cross(direction, across);
     const auto at = [&](double digits, double stretch) {
         const core_vector turned = direction + (across + up * 0.5) * digits;

@@ -310,7 +310,7 @@ TEST(SpecularLtc, FloatKnowsAFlatDiskThatTheHorizonCuts) {
         const double expected =
             specular_ltc(disk_d, widen(center), widen(n_f), widen(v_f), GgxLobe<double>{static_cast<double>(alpha)})
                 .scale;
-        EXPECT_NEAR(found, expected, 1e-3 + 1e-2 * expected)
+        EXPECT_NEAR(found, expected, 1.5e-3 + 1e-2 * expected)
             << "height " << height << " radius " << radius << " alpha " << alpha;
         if (std::fabs(dot(n, to)) < 0.9 * static_cast<double>(radius) * std::sqrt(1.0 - n.z * n.z)) ++cut;
     }
@@ -345,7 +345,7 @@ TEST(SpecularLtc, StoredValuesOfTheTrueBrdf) {
     // Median and 95th percentile, measured plus a small margin. With the transformed cosine alone the medians are
     // 0.0320, 0.0152, 0.0305 and 0.0348.
     const std::map<std::string, std::pair<double, double>> bars = {
-        {"sphere", {0.0007, 0.014}}, {"disk", {0.0015, 0.033}}, {"rect", {0.0034, 0.12}}, {"tube", {0.0014, 0.085}}};
+        {"sphere", {0.0001, 0.006}}, {"disk", {0.0013, 0.024}}, {"rect", {0.0034, 0.12}}, {"tube", {0.0011, 0.095}}};
     std::map<std::string, std::vector<double>> errors;
     for (const specular::Row& row : rows) {
         const double value = specular::with_light<double>(row, [&](const auto& light) {
