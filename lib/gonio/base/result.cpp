@@ -17,8 +17,16 @@ Error error_at(Cause cause, Location location, std::string message, std::string 
     return {cause.failure(), std::move(diagnostics)};
 }
 
-Unexpected fail(Cause cause, std::string message, std::string hint, std::string file) {
-    return Unexpected(error_at(cause, {std::move(file), 0, 0}, std::move(message), std::move(hint)));
+Unexpected fail(Cause cause, const char* message, const char* hint) {
+    return Unexpected(error_at(cause, {}, message, hint));
+}
+
+Unexpected fail(Cause cause, const std::string& message, const char* hint) {
+    return Unexpected(error_at(cause, {}, message, hint));
+}
+
+Unexpected fail(Cause cause, const std::string& message, const std::string& hint, const std::string& file) {
+    return Unexpected(error_at(cause, {file, 0, 0}, message, hint));
 }
 
 void error_hint(Error& error, std::string hint) {

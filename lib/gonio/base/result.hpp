@@ -57,23 +57,23 @@ inline constexpr std::array failure_families{
 class Cause {
 public:
     // NOLINTNEXTLINE(google-explicit-constructor): a code is written as its text
-    consteval Cause(const char* code) : code_(CodeOf<failure_codes>(code)->code) {
-        for (const FailureFamily& of : failure_families)
-            if (code_family(code_) == of.family) failure_ = of.failure;
-    }
+    consteval Cause(const char* code) : row_(&*CodeOf<failure_codes>(code)) {}
     // NOLINTNEXTLINE(google-explicit-constructor): a failure without a class of its own
-    constexpr Cause(Failure failure) : failure_(failure) {
+    constexpr Cause(Failure failure) {
         for (const FailureFamily& of : failure_families)
             for (const DiagnosticCode& row : failure_codes)
-                if (of.failure == failure && code_family(row.code) == of.family && code_.empty()) code_ = row.code;
+                if (of.failure == failure && code_family(row.code) == of.family && row_ == nullptr) row_ = &row;
     }
 
-    [[nodiscard]] constexpr Failure failure() const { return failure_; }
-    [[nodiscard]] constexpr std::string_view code() const { return code_; }
+    [[nodiscard]] constexpr Failure failure() const {
+        for (const FailureFamily& of : failure_families)
+            if (code_family(row_->code) == of.family) return of.failure;
+        return Failure::internal;
+    }
+    [[nodiscard]] constexpr std::string_view code() const { return row_->code; }
 
 private:
-    std::string_view code_;
-    Failure failure_ = Failure::internal;
+    const DiagnosticCode* row_ = nullptr; // one pointer, which costs nothing to pass
 };
 
 // A value, or the error that prevented it.
@@ -87,7 +87,10 @@ using Unexpected = tl::unexpected<Error>;
 Error error_at(Cause cause, Location location, std::string message, std::string hint = {});
 
 // return fail("USE0104", "a sphere needs a radius", "write sphere:r=3cm");
-Unexpected fail(Cause cause, std::string message, std::string hint = {}, std::string file = {});
+// Text of the source is passed as it is: strings made of it at a thousand places are much code.
+Unexpected fail(Cause cause, const char* message, const char* hint = "");
+Unexpected fail(Cause cause, const std::string& message, const char* hint = "");
+Unexpected fail(Cause cause, const std::string& message, const std::string& hint, const std::string& file = {});
 
 // Replaces the hint of the diagnostic that is the reason of the error.
 void error_hint(Error& error, std::string hint);

@@ -84,7 +84,11 @@ FieldPlaces Report::places() const {
     return places;
 }
 
-void Report::add(ProfileCode code, std::size_t offset, std::string message, std::string hint) {
+void Report::add(ProfileCode code, std::size_t offset, const char* message, const char* hint) {
+    add(code, offset, std::string(message), hint);
+}
+
+void Report::add(ProfileCode code, std::size_t offset, const std::string& message, const std::string& hint) {
     if (code->strict == Strict::only && !strict_) return;
     const auto said = std::find_if(diagnostics_.begin(), diagnostics_.end(),
                                    [&](const Diagnostic& d) { return d.code == code->code; });
@@ -94,7 +98,7 @@ void Report::add(ProfileCode code, std::size_t offset, std::string message, std:
     }
     const Severity severity = strict_ ? code->strict_severity() : code->severity;
     has_error_ = has_error_ || severity == Severity::error;
-    diagnostics_.push_back({std::string(code->code), severity, locate(offset), std::move(message), std::move(hint)});
+    diagnostics_.push_back({std::string(code->code), severity, locate(offset), message, hint});
     repeats_.push_back(0);
 }
 
@@ -118,10 +122,14 @@ Unexpected Report::fail_of_other(Diagnostics diagnostics) {
     return Unexpected(Error{Failure::malformed, std::move(diagnostics_)});
 }
 
-Unexpected Report::fail(ProfileCode code, std::size_t offset, std::string message, std::string hint, Failure failure) {
+Unexpected Report::fail(ProfileCode code, std::size_t offset, const char* message, const char* hint) {
+    return fail(code, offset, std::string(message), hint);
+}
+
+Unexpected Report::fail(ProfileCode code, std::size_t offset, const std::string& message, const std::string& hint,
+                        Failure failure) {
     order();
-    diagnostics_.push_back(
-        {std::string(code->code), Severity::error, locate(offset), std::move(message), std::move(hint)});
+    diagnostics_.push_back({std::string(code->code), Severity::error, locate(offset), message, hint});
     return Unexpected(Error{failure, std::move(diagnostics_)});
 }
 

@@ -25,10 +25,12 @@ public:
     Report(std::string_view bytes, std::string source, bool strict);
 
     // Reports it with the severity that the table gives to the code.
-    void add(ProfileCode code, std::size_t offset, std::string message, std::string hint = {});
+    void add(ProfileCode code, std::size_t offset, const char* message, const char* hint = "");
+    void add(ProfileCode code, std::size_t offset, const std::string& message, const std::string& hint = {});
 
     // Reports it and returns the failure of the whole reading, with everything reported before.
-    Unexpected fail(ProfileCode code, std::size_t offset, std::string message, std::string hint = {},
+    Unexpected fail(ProfileCode code, std::size_t offset, const char* message, const char* hint = "");
+    Unexpected fail(ProfileCode code, std::size_t offset, const std::string& message, const std::string& hint = {},
                     Failure failure = Failure::malformed);
 
     // Adds the diagnostics of another file that this one refers to, after everything else.
