@@ -1,14 +1,13 @@
 // Builds the page: one HTML file that holds everything, so that it opens from a disk, a server or a mail.
 //   node cli/page/build.mjs GONIO_PAGE_MJS OUTPUT_HTML
 //
-// GONIO_PAGE_MJS is the module of cli/wasm with what the page calls; gonio.mjs, with everything, works too. Its WebAssembly is taken out of its text, compressed, and compiled once by the page
-// for all of its workers. The modules of this folder are joined into one script: each imports and exports by name only, and
+// GONIO_PAGE_MJS is the module of cli/wasm with what the page calls; gonio.mjs, with everything, works too. Its WebAssembly is taken out of its text, and unpacked and
+// compiled once by the page for all of its workers. The modules of this folder and what they import are joined into one script: each imports and exports by name only, and
 // no two have a top-level name in common, which is checked. The same inputs give the same bytes.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Script } from 'node:vm';
-import { gzipSync } from 'node:zlib';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const examples = ['downlight.ies', 'street.ldt'];
@@ -29,14 +28,10 @@ const inJson = (value) => JSON.stringify(value).replace(/</g, '\\u003c');
 function splitModule(path) {
   let glue = readFileSync(path, 'utf8');
   let wasm;
-  // The longest; the glue has the same words without data. A pattern for so long a text would overflow.
-  const marks = [...glue.matchAll(/data:application\/(?:octet-stream|wasm);base64,/g)].map(({ index, 0: { length } }) =>
-    ({ begin: index + length, end: glue.indexOf('"', index + length) }));
-  const data = marks.sort((a, b) => b.end - b.begin - (a.end - a.begin))[0];
-  if (data && data.end - data.begin > 1000) {
-    wasm = Buffer.from(glue.slice(data.begin, data.end), 'base64');
-    glue = glue.slice(0, data.begin) + glue.slice(data.end);
-  }
+  glue = glue.replace(/(= withWebAssembly\(\w+, ")([A-Za-z0-9+/=]+)/, (_, call, packed) => {
+    wasm = packed;
+    return call;
+  });
   if (!wasm) fail(`${path} holds no WebAssembly`);
   glue = glue.replace(/export default (async function (\w+)|\w+;?\s*$)/m, (_, what, name) =>
     (name ? `self.createGonio = ${name};\n${what}` : `self.createGonio = ${what}`)).replaceAll('import.meta.url', 'self.location.href');
@@ -53,9 +48,9 @@ function joinModules(entry) {
     if (done.has(name)) return;
     done.add(name);
     const text = readFileSync(join(here, name), 'utf8');
-    const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'\.\/([\w.-]+)';\n/gm, (line, needed) => {
+    const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'(\.[\w./-]+)';\n/gm, (line, needed) => {
       if (/ as /.test(line)) fail(`${name}: an import under another name`);
-      visit(needed);
+      visit(join(dirname(name), needed));
       return '';
     });
     if (/^(import|export default|export \{|export \*)/m.test(body)) fail(`${name}: only named imports and exports of declarations`);
@@ -81,7 +76,7 @@ const pieces = {
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
   SCRIPT: inScript(joinModules('main.mjs')),
   WORKER: inScript(`'use strict';\n${glue}\n${readFileSync(join(here, 'worker.js'), 'utf8')}`),
-  WASM: gzipSync(wasm, { level: 9 }).toString('base64'),
+  WASM: wasm,
   EXAMPLES: inJson(profiles),
 };
 const html = readFileSync(join(here, 'index.html'), 'utf8').replace(/\/\*\*([A-Z]+)\*\*\//g, (_, name) => {

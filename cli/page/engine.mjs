@@ -1,5 +1,6 @@
 // The workers, as the page sees them. Each takes one task at a time; the others wait here, so that a task's time is its
 // own and the waiting ones survive when a worker is ended.
+import { unpackText } from '../../lib/wasm/unpack_module.mjs';
 import { byId } from './dom.mjs';
 
 const patience_ms = 20000;
@@ -14,22 +15,13 @@ export class Cancelled extends Error {
 let compiled;
 let workerUrl;
 
-function bytesOfBase64(text) {
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
-
-// Compiled once, while it is unpacked; workers share the machine code.
+// Compiled once; workers share the machine code.
 function compileModule() {
   compiled ??= (async () => {
     const element = byId('wasm');
-    const packed = bytesOfBase64(element.textContent.trim());
+    const packed = element.textContent.trim();
     element.remove();
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-    return WebAssembly.compileStreaming(new Response(stream, { headers: { 'Content-Type': 'application/wasm' } }));
+    return WebAssembly.compile(await unpackText(packed));
   })();
   return compiled;
 }

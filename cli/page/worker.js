@@ -15,14 +15,10 @@ function closeScene() {
 const isFatal = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError
   || !(error instanceof Error);
 
-// The build took the WebAssembly out of the module, and the page compiled it once for all workers. Without `fetch` the module
-// does not ask for what the policy of the page forbids.
+// The page compiled the module once for all workers. Without `fetch` it does not ask for what the policy of the page forbids.
 async function open() {
   self.fetch = undefined;
-  const { instantiate } = WebAssembly;
-  WebAssembly.instantiate = async (_, imports) => ({ module, instance: await instantiate(module, imports) });
-  gonio = await self.createGonio();
-  WebAssembly.instantiate = instantiate;
+  gonio = await self.createGonio({ module });
 }
 
 const tasks = {

@@ -1,7 +1,7 @@
 // The module gonio.mjs: the tool in a folder of memory that lasts for one call, scenes, which keep one, and what gonio-core
-// has. join.mjs puts this after the module that Emscripten writes, whose createTool() it calls. README.md shows its use.
-export default async function createGonio() {
-  const tool = await createTool();
+// has. join.mjs puts this after the module that Emscripten writes, whose createTool() it calls with the options. README.md shows its use.
+export default async function createGonio(options) {
+  const tool = await createTool(options);
   const { FS } = tool;
   const gonio = { read: tool.read, check: tool.check, memoryBytes: () => tool.HEAPU8.length };
 

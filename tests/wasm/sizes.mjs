@@ -1,7 +1,8 @@
 // node sizes.mjs FILE…: the table of the modules' sizes in lib/wasm/README.md.
 import { readFileSync } from 'node:fs';
 import { basename } from 'node:path';
-import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
+import { brotliCompressSync, constants, gunzipSync, gzipSync } from 'node:zlib';
+import { unpackModule } from '../../lib/wasm/unpack_module.mjs';
 
 const group = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, ',');
 const row = (name, bytes) => {
@@ -13,9 +14,11 @@ console.log('| | raw | `gzip -9` | `brotli -q 11` |\n|---|---:|---:|---:|');
 for (const file of process.argv.slice(2)) {
   const text = readFileSync(file, 'utf8');
   const name = `\`${basename(file)}\``;
-  row(`${name}, with the WebAssembly as text`, Buffer.from(text));
-  const encoded = /data:application\/octet-stream;base64,([A-Za-z0-9+/=]+)/.exec(text);
+  row(`${name}, with the WebAssembly`, Buffer.from(text));
+  const [, encoded] = /= withWebAssembly\(\w+, "([A-Za-z0-9+/=]+)/.exec(text) ?? [];
   if (!encoded) continue;
-  row('its WebAssembly alone', Buffer.from(encoded[1], 'base64'));
-  row('its JavaScript', Buffer.from(text.replace(encoded[0], '')));
+  const packed = gunzipSync(Buffer.from(encoded, 'base64'));
+  row('its WebAssembly, packed as it is there', packed);
+  row('unpacked', unpackModule(packed));
+  row('its JavaScript', Buffer.from(text.replace(encoded, '')));
 }
