@@ -1,9 +1,10 @@
 // Builds the page: one HTML file that holds everything, so that it opens from a disk, a server or a mail.
 //   node cli/page/build.mjs GONIO_PAGE_MJS OUTPUT_HTML
 //
-// GONIO_PAGE_MJS is the module of cli/wasm with what the page calls; gonio.mjs, with everything, works too. Its WebAssembly is taken out of its text, and unpacked and
-// compiled once by the page for all of its workers. The modules of this folder and what they import are joined into one script: each imports and exports by name only, and
-// no two have a top-level name in common, which is checked. The same inputs give the same bytes.
+// GONIO_PAGE_MJS is the module of cli/wasm with what the page calls; gonio.mjs, with everything, works too. Its WebAssembly is
+// taken out of its text, and unpacked and compiled once by the page for all of its workers. The modules of this folder and what
+// they import are joined into one script: each imports and exports by name only, and no two have a top-level name in common,
+// which is checked. The same inputs give the same bytes.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';

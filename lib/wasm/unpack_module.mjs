@@ -2,8 +2,8 @@
 // each kind of operand in others. pack_module.mjs packs; a module unpacks itself when it starts.
 //
 // A packed module has, as LEB128, its size as WebAssembly and the size of each stream, and then the streams.
-// The sizes of functions are left out, and variables are written as ranks, the one used last being 0.
-// "move-to-front": J. L. Bentley, D. D. Sleator, R. E. Tarjan, V. K. Wei, "A Locally Adaptive Data Compression Scheme", 1986.
+// The sizes of functions are left out, and variables are written as ranks, the one used last being 0 (J. L. Bentley, D. D. Sleator,
+// R. E. Tarjan, V. K. Wei, "A Locally Adaptive Data Compression Scheme", 1986).
 
 // The numbers of the streams.
 export const Streams = {
@@ -55,7 +55,7 @@ export const vectorBytes = (code) => (code === 12 || code === 13 ? 16 : (code >=
 // How many numbers follow one of memory, tables and conversions.
 export const moreNumbers = (code) => (code < 8 ? 0 : [8, 10, 12, 14].includes(code) ? 2 : 1);
 
-// One function with all that it does to be compiled at once: it takes over half a million numbers a megabyte.
+// What is frequent is in one function, so that it is soon compiled well: a module has a million operations.
 export function unpackModule(packed) {
   let at = 0;
   const header = () => {
