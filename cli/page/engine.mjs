@@ -1,6 +1,6 @@
 // The workers, as the page sees them. Each takes one task at a time; the others wait here, so that a task's time is its
 // own and the waiting ones survive when a worker is ended.
-import { unpackText } from '../../lib/wasm/unpack_module.mjs';
+import { compileText } from '../../lib/wasm/unpack_module.mjs';
 import { byId } from './dom.mjs';
 
 const patience_ms = 20000;
@@ -21,7 +21,7 @@ function compileModule() {
     const element = byId('wasm');
     const packed = element.textContent.trim();
     element.remove();
-    return WebAssembly.compile(await unpackText(packed));
+    return compileText(packed);
   })();
   return compiled;
 }
