@@ -2,9 +2,9 @@
 //   node cli/page/build.mjs GONIO_PAGE_MJS OUTPUT_HTML
 //
 // GONIO_PAGE_MJS is the module of cli/wasm with what the page calls; gonio.mjs, with everything, works too. Its WebAssembly is
-// taken out of its text, and unpacked and compiled once by the page for all of its workers. The modules of this folder and what
-// they import are joined into one script: each imports and exports by name only, and no two have a top-level name in common,
-// which is checked. The same inputs give the same bytes.
+// taken out of its text, and compiled once by one of the page's workers for all of them. The modules of this folder are joined into
+// one script: each imports and exports by name only, and no two have a top-level name in common, which is checked. The same inputs
+// give the same bytes.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -49,9 +49,9 @@ function joinModules(entry) {
     if (done.has(name)) return;
     done.add(name);
     const text = readFileSync(join(here, name), 'utf8');
-    const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'(\.[\w./-]+)';\n/gm, (line, needed) => {
+    const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'\.\/([\w.-]+)';\n/gm, (line, needed) => {
       if (/ as /.test(line)) fail(`${name}: an import under another name`);
-      visit(join(dirname(name), needed));
+      visit(needed);
       return '';
     });
     if (/^(import|export default|export \{|export \*)/m.test(body)) fail(`${name}: only named imports and exports of declarations`);

@@ -1,6 +1,5 @@
 // The workers, as the page sees them. Each takes one task at a time; the others wait here, so that a task's time is its
 // own and the waiting ones survive when a worker is ended.
-import { compileText } from '../../lib/wasm/unpack_module.mjs';
 import { byId } from './dom.mjs';
 
 const patience_ms = 20000;
@@ -12,19 +11,8 @@ export class Cancelled extends Error {
   }
 }
 
-let compiled;
+let compiled; // what the first worker unpacked and compiled; workers share the machine code
 let workerUrl;
-
-// Compiled once; workers share the machine code.
-function compileModule() {
-  compiled ??= (async () => {
-    const element = byId('wasm');
-    const packed = element.textContent.trim();
-    element.remove();
-    return compileText(packed);
-  })();
-  return compiled;
-}
 
 // What this browser lacks of what the module needs; empty: nothing. The smallest modules with a vector and with a `try`.
 export function missingFeature() {
@@ -96,12 +84,14 @@ export class Engine {
   async #open() {
     const worker = startWorker();
     this.#worker = worker;
-    const wasm = await compileModule();
-    await new Promise((resolve, reject) => {
-      worker.onmessage = ({ data }) => (data.error ? reject(Object.assign(new Error(data.error.message), data.error)) : resolve());
+    const { wasm } = await new Promise((resolve, reject) => {
+      worker.onmessage = ({ data }) => (data.error ? reject(Object.assign(new Error(data.error.message), data.error)) : resolve(data.result));
       worker.onerror = (event) => reject(new Error(event.message));
-      worker.postMessage({ id: 0, task: 'start', argument: { wasm } });
+      const argument = compiled ? { wasm: compiled } : { packed: byId('wasm').textContent.trim() };
+      worker.postMessage({ id: 0, task: 'start', argument });
     });
+    compiled ??= wasm;
+    byId('wasm')?.remove();
     worker.onmessage = ({ data }) => this.#answer(worker, data);
     worker.onerror = (event) => {
       event.preventDefault();

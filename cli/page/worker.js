@@ -15,17 +15,18 @@ function closeScene() {
 const isFatal = (error) => error instanceof WebAssembly.RuntimeError || error instanceof RangeError
   || !(error instanceof Error);
 
-// The page compiled the module once for all workers. Without `fetch` it does not ask for what the policy of the page forbids.
+// Without `fetch` the module does not ask for what the policy of the page forbids.
 async function open() {
   self.fetch = undefined;
   gonio = await self.createGonio({ module });
 }
 
 const tasks = {
-  async start({ wasm }) {
-    module = wasm;
+  // The module as the page holds it, or as another worker compiled it.
+  async start({ packed, wasm }) {
+    module = wasm ?? await compileText(packed);
     await open();
-    return {};
+    return { wasm: module };
   },
 
   async run({ words, files }) {

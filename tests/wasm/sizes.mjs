@@ -18,7 +18,7 @@ for (const file of process.argv.slice(2)) {
   const [, encoded] = /= withWebAssembly\(\w+, "([A-Za-z0-9+/=]+)/.exec(text) ?? [];
   if (!encoded) continue;
   const packed = gunzipSync(Buffer.from(encoded, 'base64'));
-  row('its WebAssembly, packed as it is there', packed);
-  row('unpacked', unpackModule(packed));
+  row('its WebAssembly, packed', packed);
+  row('its WebAssembly, unpacked', unpackModule(packed));
   row('its JavaScript', Buffer.from(text.replace(encoded, '')));
 }
