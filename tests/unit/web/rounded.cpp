@@ -1,9 +1,9 @@
 // Numbers rounded to decimal digits, against their text.
+#include <gonio/base/charconv.hpp>
 #include <gonio/web/make_profile.hpp>
 
 #include <gtest/gtest.h>
 
-#include <charconv>
 #include <cmath>
 #include <random>
 #include <string>
@@ -15,9 +15,9 @@ namespace {
 double by_text(double value, int digits) {
     std::string text(64, '\0');
     const auto written =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+        to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
     double rounded = 0.0;
-    std::from_chars(text.data(), written.ptr, rounded);
+    from_chars(text.data(), written.ptr, rounded);
     return rounded;
 }
 
