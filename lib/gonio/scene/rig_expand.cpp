@@ -35,12 +35,17 @@ Result<void> check_keys(const Json& json, std::span<const std::string_view> know
     return {};
 }
 
+// Saturates: three counts within their limits are too many for 32 bits.
+std::size_t product(std::size_t a, std::size_t b) {
+    return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
+}
+
 // Copies along X, Y and Z, centred.
 struct Array {
     std::array<std::size_t, 3> count{1, 1, 1};
     glm::dvec3 spacing{0.0}; // [m]
 
-    std::size_t size() const { return count[0] * count[1] * count[2]; }
+    std::size_t size() const { return product(count[0], product(count[1], count[2])); }
     glm::dvec3 offset(const std::array<std::size_t, 3>& at) const {
         glm::dvec3 offset(0.0);
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -72,11 +77,6 @@ struct Node {
     bool is_group() const { return !nodes.empty(); }
     bool makes_lights() const { return is_group() || array || !positions.empty(); }
 };
-
-// Saturates.
-std::size_t product(std::size_t a, std::size_t b) {
-    return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
-}
 
 class NodeReader {
 public:
