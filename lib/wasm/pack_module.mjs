@@ -2,10 +2,7 @@
 // unpack it when they start.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import {
-  Follows, follows, longConstant, moreNumbers, streamOf, Streams, unpackModule, vectorBytes, vectorMemory, vectorNamesMemory,
-} from './unpack_module.mjs';
-
+import { Follows, follows, longConstant, streamOf, Streams, takeRare, unpackModule } from './unpack_module.mjs';
 
 const bytesOf = (value) => {
   const bytes = [];
@@ -18,6 +15,7 @@ function packModule(whole) {
   let at = 0;
   const bytes = (stream, count) => {
     for (let i = 0; i < count; ++i) streams[stream].push(whole[at++]);
+    return whole[at - 1];
   };
   const numberHere = () => {
     let value = 0;
@@ -33,11 +31,6 @@ function packModule(whole) {
     streams[stream].push(...whole.subarray(from, at));
     return value;
   };
-  const memory = (which) => {
-    number(Streams.alignment + which);
-    bytes(Streams.offset + which, 1);
-    if (whole[at - 1] >= 128) number(Streams.furtherOffset);
-  };
 
   // Tells by how much the depth of blocks changes.
   const takeOperation = (order) => {
@@ -46,6 +39,7 @@ function packModule(whole) {
     streams[Streams.operation].push(code);
     const stream = streamOf[code];
     switch (follows[code]) {
+      case Follows.nothing: break;
       case Follows.variable: {
         const variable = numberHere();
         while (order.length <= variable) order.push(order.length);
@@ -55,31 +49,21 @@ function packModule(whole) {
         streams[stream].push(...bytesOf(rank));
         break;
       }
-      case Follows.memory: memory(stream); break;
+      case Follows.memory:
+        number(Streams.alignment + stream);
+        if (bytes(Streams.offset + stream, 1) >= 128) number(Streams.furtherOffset);
+        break;
       case Follows.number: number(stream); break;
       case Follows.block: number(stream); return 1;
       case Follows.end: return -1;
-      case Follows.delegate: number(stream); return -1;
-      case Follows.two: number(stream); number(stream); break;
-      case Follows.table: for (let left = number(stream); left >= 0; --left) number(stream); break;
-      case Follows.bytes4: bytes(stream, 4); break;
-      case Follows.bytes8: bytes(stream, 8); break;
-      case Follows.byte: bytes(stream, 1); break;
-      case Follows.types: bytes(stream, number(stream)); break;
-      case Follows.more: for (let left = moreNumbers(number(stream)); left > 0; --left) number(stream); break;
-      case Follows.vector: {
-        const vector = number(stream);
-        if (vectorNamesMemory(vector)) memory(vectorMemory);
-        bytes(vectorBytes(vector) === 16 ? Streams.constantVector : Streams.lane, vectorBytes(vector));
-      }
+      default: return takeRare(code, { number, bytes });
     }
     return 0;
   };
 
   bytes(Streams.rest, 8);
   while (at < whole.length) {
-    bytes(Streams.rest, 1);
-    const section = whole[at - 1];
+    const section = bytes(Streams.rest, 1);
     const size = number(Streams.rest);
     if (section !== 10) {
       bytes(Streams.rest, size);

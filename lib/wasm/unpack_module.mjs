@@ -47,13 +47,38 @@ for (let code = 0x28; code <= 0x3e; ++code) {
   follows[code] = Follows.memory;
   streamOf[code] = code - 0x28;
 }
-export const vectorMemory = 23; // the stream of vectors, as streamOf of what names memory
+const vectorMemory = 23; // of vectors, as streamOf of what names memory
 
-// Of an operation of vectors: whether it names memory, and how many bytes follow.
-export const vectorNamesMemory = (code) => code <= 11 || code === 92 || code === 93 || (code >= 84 && code <= 91);
-export const vectorBytes = (code) => (code === 12 || code === 13 ? 16 : (code >= 21 && code <= 34) || (code >= 84 && code <= 91) ? 1 : 0);
-// How many numbers follow one of memory, tables and conversions.
-export const moreNumbers = (code) => (code < 8 ? 0 : [8, 10, 12, 14].includes(code) ? 2 : 1);
+// Takes over what follows a rare operation, packing or unpacking: number(stream) and bytes(stream, count), which tells the last one. Tells
+// by how much the depth of blocks changes.
+export function takeRare(code, { number, bytes }) {
+  const stream = streamOf[code];
+  switch (follows[code]) {
+    case Follows.delegate: number(stream); return -1;
+    case Follows.two: number(stream); number(stream); break;
+    case Follows.table: for (let left = number(stream); left >= 0; --left) number(stream); break;
+    case Follows.bytes4: bytes(stream, 4); break;
+    case Follows.bytes8: bytes(stream, 8); break;
+    case Follows.byte: bytes(stream, 1); break;
+    case Follows.types: bytes(stream, number(stream)); break;
+    case Follows.more: { // of memory, tables and conversions
+      const more = number(stream);
+      for (let left = more < 8 ? 0 : [8, 10, 12, 14].includes(more) ? 2 : 1; left > 0; --left) number(stream);
+      break;
+    }
+    case Follows.vector: {
+      const vector = number(stream);
+      const withLane = vector >= 84 && vector <= 91;
+      if (vector <= 11 || vector === 92 || vector === 93 || withLane) {
+        number(Streams.alignment + vectorMemory);
+        if (bytes(Streams.offset + vectorMemory, 1) >= 128) number(Streams.furtherOffset);
+      }
+      if (vector === 12 || vector === 13) bytes(Streams.constantVector, 16);
+      else if ((vector >= 21 && vector <= 34) || withLane) bytes(Streams.lane, 1);
+    }
+  }
+  return 0;
+}
 
 // What is frequent is in one function, so that it is soon compiled well: a module has a million operations.
 export function unpackModule(packed) {
@@ -78,6 +103,7 @@ export function unpackModule(packed) {
 
   const bytes = (stream, count) => {
     for (let i = 0; i < count; ++i) whole[end++] = packed[next[stream]++];
+    return whole[end - 1];
   };
   const number = (stream) => {
     let value = 0;
@@ -88,6 +114,7 @@ export function unpackModule(packed) {
       if (byte < 128) return value;
     }
   };
+  const io = { number, bytes };
   const put = (value) => {
     for (; value >= 128; value >>>= 7) whole[end++] = value & 127 | 128;
     whole[end++] = value;
@@ -133,40 +160,17 @@ export function unpackModule(packed) {
         case Follows.end: --depth; break;
         default:
           end = to;
-          depth -= takeRare(code, stream);
+          depth += takeRare(code, io);
           to = end;
       }
     }
     next[Streams.operation] = operation;
     end = to;
   };
-  const takeRare = (code, stream) => {
-    switch (follows[code]) {
-      case Follows.delegate: number(stream); return 1;
-      case Follows.two: number(stream); number(stream); break;
-      case Follows.table: for (let left = number(stream); left >= 0; --left) number(stream); break;
-      case Follows.bytes4: bytes(stream, 4); break;
-      case Follows.bytes8: bytes(stream, 8); break;
-      case Follows.byte: bytes(stream, 1); break;
-      case Follows.types: bytes(stream, number(stream)); break;
-      case Follows.more: for (let left = moreNumbers(number(stream)); left > 0; --left) number(stream); break;
-      case Follows.vector: {
-        const vector = number(stream);
-        if (vectorNamesMemory(vector)) {
-          number(Streams.alignment + vectorMemory);
-          bytes(Streams.offset + vectorMemory, 1);
-          if (whole[end - 1] >= 128) number(Streams.furtherOffset);
-        }
-        bytes(vectorBytes(vector) === 16 ? Streams.constantVector : Streams.lane, vectorBytes(vector));
-      }
-    }
-    return 0;
-  };
 
   bytes(Streams.rest, 8);
   while (end < whole.length) {
-    bytes(Streams.rest, 1);
-    const section = whole[end - 1];
+    const section = bytes(Streams.rest, 1);
     const size = number(Streams.rest);
     if (section !== 10) {
       whole.set(packed.subarray(next[Streams.rest], next[Streams.rest] += size), end);
