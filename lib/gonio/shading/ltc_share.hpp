@@ -263,13 +263,19 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec
     return {simd::select(lit, sign * e, S(0)), simd::both(lit, close)};
 }
 
-// Evaluates the lanes marked `hard` one by one in double; Shape names what to evaluate. Inputs: the lobe's five entries
-// and the shape's numbers.
-template<class Shape, class S, std::size_t count>
-GONIO_FORCE_INLINE S finish_ltc(const LtcSurvey<S>& survey, const LtcLobe<S>& lobe, const S (&inputs)[count]) {
+// What a caller reads of a result where it gives no mask.
+struct AllLanes {};
+
+// Evaluates the lanes marked `hard`, of those that are read, one by one in double; Shape names what to evaluate.
+// Inputs: the lobe's five entries and the shape's numbers.
+template<class Shape, class S, std::size_t count, class Read>
+GONIO_FORCE_INLINE S finish_ltc(const LtcSurvey<S>& survey, const LtcLobe<S>& lobe, const S (&inputs)[count],
+                                const Read& read) {
     S e = survey.integral;
     if constexpr (!__is_same(S, double)) {
-        if (simd::any(survey.hard)) e = in_double<Shape>(survey.hard, e, inputs);
+        auto hard = survey.hard;
+        if constexpr (!__is_same(Read, AllLanes)) hard = simd::both(hard, read);
+        if (simd::any(hard)) e = in_double<Shape>(hard, e, inputs);
     }
     return lobe_share(e, lobe);
 }
@@ -308,12 +314,14 @@ struct LtcRectangleInDouble {
 
 } // namespace detail
 
+// Of each function: in lanes outside the mask `read` the result may be inexact.
+
 // A sphere of radius r about `center`. d < r: 1.
-template<class S>
-GONIO_FORCE_INLINE S ltc_sphere(const LtcLobe<S>& lobe, vec3<S> center, S radius) {
+template<class S, class Read = detail::AllLanes>
+GONIO_FORCE_INLINE S ltc_sphere(const LtcLobe<S>& lobe, vec3<S> center, S radius, const Read& read = {}) {
     return detail::finish_ltc<detail::LtcSphereInDouble>(
         detail::survey_ltc_sphere(lobe, center, radius), lobe,
-        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, radius});
+        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, radius}, read);
 }
 
 // A cap of directions about `toward` (unit), given the sine and cosine of its angular radius, at most π/2.
@@ -326,22 +334,25 @@ GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S>& lobe, vec3<S> toward, S sine, S c
 }
 
 // A disk that emits towards +`axis` (unit), or to both sides. 0 behind its plane.
-template<class S>
-GONIO_FORCE_INLINE S ltc_disk(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, bool two_sided = false) {
+template<class S, class Read = detail::AllLanes>
+GONIO_FORCE_INLINE S ltc_disk(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, bool two_sided = false,
+                              const Read& read = {}) {
     return detail::finish_ltc<detail::LtcDiskInDouble>(
         detail::survey_ltc_disk(lobe, center, axis, radius, two_sided), lobe,
         {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, axis.x, axis.y, axis.z, radius,
-         S(two_sided ? 1 : 0)});
+         S(two_sided ? 1 : 0)},
+        read);
 }
 
 // A rectangle that emits towards +`axis`, or to both sides; `width` along `width_direction`, unit and perpendicular.
-template<class S>
+template<class S, class Read = detail::AllLanes>
 GONIO_FORCE_INLINE S ltc_rectangle(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, vec3<S> width_direction,
-                                   S width, S height, bool two_sided = false) {
+                                   S width, S height, bool two_sided = false, const Read& read = {}) {
     return detail::finish_ltc<detail::LtcRectangleInDouble>(
         detail::survey_ltc_rectangle(lobe, center, axis, width_direction, width, height, two_sided), lobe,
         {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, axis.x, axis.y, axis.z,
-         width_direction.x, width_direction.y, width_direction.z, width, height, S(two_sided ? 1 : 0)});
+         width_direction.x, width_direction.y, width_direction.z, width, height, S(two_sided ? 1 : 0)},
+        read);
 }
 
 } // namespace gonio::shading

@@ -212,13 +212,15 @@ struct LtcTubeInDouble {
 } // namespace detail
 
 // A cylinder of `length_m` about `center` along `axis` (unit), with half spheres of the same radius as ends. 1 inside
-// it.
-template<class S>
-GONIO_FORCE_INLINE S ltc_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, S length_m) {
+// it. In lanes outside the mask `read` the result may be inexact.
+template<class S, class Read = detail::AllLanes>
+GONIO_FORCE_INLINE S ltc_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, S length_m,
+                              const Read& read = {}) {
     return detail::finish_ltc<detail::LtcTubeInDouble>(detail::survey_ltc_tube(lobe, center, axis, radius, length_m),
                                                        lobe,
                                                        {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x,
-                                                        center.y, center.z, axis.x, axis.y, axis.z, radius, length_m});
+                                                        center.y, center.z, axis.x, axis.y, axis.z, radius, length_m},
+                                                       read);
 }
 
 } // namespace gonio::shading

@@ -20,30 +20,31 @@ namespace gonio::shading {
 
 namespace detail {
 
-template<class S>
+// The exact share of a light; in lanes outside the mask `read` it may be inexact.
+template<class S, class Read = AllLanes>
 GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SphereLight<S>& light,
-                               vec3<S> to_center) {
-    return ltc_sphere(lobe, frame(to_center), light.radius);
+                               vec3<S> to_center, const Read& read = {}) {
+    return ltc_sphere(lobe, frame(to_center), light.radius, read);
 }
-template<class S>
+template<class S, class Read = AllLanes>
 GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const DiskLight<S>& light,
-                               vec3<S> to_center) {
-    return ltc_disk(lobe, frame(to_center), frame(light.axis), light.radius, light.two_sided);
+                               vec3<S> to_center, const Read& read = {}) {
+    return ltc_disk(lobe, frame(to_center), frame(light.axis), light.radius, light.two_sided, read);
 }
-template<class S>
+template<class S, class Read = AllLanes>
 GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const RectangleLight<S>& light,
-                               vec3<S> to_center) {
+                               vec3<S> to_center, const Read& read = {}) {
     return ltc_rectangle(lobe, frame(to_center), frame(light.axis), frame(light.width_direction), light.width,
-                         light.height, light.two_sided);
+                         light.height, light.two_sided, read);
 }
-template<class S>
+template<class S, class Read = AllLanes>
 GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const TubeLight<S>& light,
-                               vec3<S> to_center) {
-    return ltc_tube(lobe, frame(to_center), frame(light.axis), light.radius, light.length);
+                               vec3<S> to_center, const Read& read = {}) {
+    return ltc_tube(lobe, frame(to_center), frame(light.axis), light.radius, light.length, read);
 }
-template<class S>
+template<class S, class Read = AllLanes>
 GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SunLight<S>& light,
-                               vec3<S> toward) {
+                               vec3<S> toward, const Read& = {}) {
     return ltc_cap(lobe, frame(toward), light.sine, light.cosine);
 }
 
@@ -61,7 +62,7 @@ enum class CosineSum { none, of_rows, positive };
 
 // Of the rows in a region: what corrects their sum.
 template<class Region, class Lobe>
-inline constexpr CosineSum sum_of_rows = (Lobe::is_even && Region::has_corners) ? CosineSum::of_rows : CosineSum::none;
+inline constexpr CosineSum sum_of_rows = (Lobe::is_even && Region::has_kinks) ? CosineSum::of_rows : CosineSum::none;
 
 // `points` are those of a light (light_points.hpp) or RowPoints, which also know the cosine.
 template<CosineSum which, class S, class Points, class Lobe, bool sheared>
@@ -251,8 +252,8 @@ GONIO_FORCE_INLINE S grazing_share(const PointSums<S>& sums) {
 // The lobe is summed over the light's own points if the light is small compared with the lobe, otherwise over rows of
 // points. That sum, F, is the result for a light without corners. In a light it is the lobe's albedo.
 //
-// Rows do not know where a light has its corners. With C the sum of the transformed cosine over the rows of such a
-// light, and K the cosine's exact share, the result is
+// Rows do not know where a rectangle has its corners. With C the sum of the transformed cosine over its rows, and K the
+// cosine's exact share, its result is
 //
 //     F (1 + w² (K/C − 1)),  w = K C/((C − K)²/0.2² + K C)
 //
@@ -285,7 +286,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         S share = albedo;
         auto by_share = detail::surrounded(light, to_center);
         if constexpr (which == detail::CosineSum::of_rows) {
-            const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
+            const S k = detail::ltc_share(cosine, frame, light, to_center, !simd::either(small, dark)) * albedo;
             const S c = detail::summed_share(sums, cosine, albedo);
             const auto both = simd::both(k > S(0), c > S(0));
             const S trust = detail::trust(c, k, 0.2);
@@ -300,7 +301,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
             // Floats may lose all rows of a cone that is nearly flat, or whose side almost meets the receiver.
             const auto lost = simd::both(!simd::either(small, dark), !(by_rows > S(0)));
             if (simd::any(lost)) {
-                const S k = detail::ltc_share(cosine, frame, light, to_center) * albedo;
+                const S k = detail::ltc_share(cosine, frame, light, to_center, lost) * albedo;
                 share = simd::select(lost, k, share);
                 by_share = simd::either(by_share, lost);
             }

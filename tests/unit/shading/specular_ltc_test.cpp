@@ -345,7 +345,7 @@ TEST(SpecularLtc, StoredValuesOfTheTrueBrdf) {
     // Median and 95th percentile, measured plus a small margin. With the transformed cosine alone the medians are
     // 0.0320, 0.0152, 0.0305 and 0.0348.
     const std::map<std::string, std::pair<double, double>> bars = {
-        {"sphere", {0.0001, 0.006}}, {"disk", {0.0013, 0.024}}, {"rect", {0.0034, 0.12}}, {"tube", {0.0011, 0.095}}};
+        {"sphere", {0.0001, 0.006}}, {"disk", {0.0013, 0.024}}, {"rect", {0.0034, 0.12}}, {"tube", {0.0009, 0.028}}};
     std::map<std::string, std::vector<double>> errors;
     for (const specular::Row& row : rows) {
         const double value = specular::with_light<double>(row, [&](const auto& light) {

@@ -1,0 +1,136 @@
+// The rules by which rows of points (lobe_rows.hpp) divide an angle.
+#pragma once
+
+#include <gonio/shading/vec2.hpp>
+#include <gonio/simd/loop.hpp>
+
+#include <cstddef>
+#include <iterator>
+
+namespace gonio::shading::detail {
+
+// A pair ±at of points of a rule on [-1, 1].
+template<class Number>
+struct AnglePairOf {
+    Number weight, at;
+};
+using AnglePair = AnglePairOf<float>;
+template<std::size_t pairs>
+struct SymmetricRule {
+    AnglePair pair[pairs];
+    float middle = 0.0F; // the weight of a point at 0, if there is one
+
+    constexpr std::size_t size() const { return 2 * pairs + (middle > 0.0F ? 1 : 0); }
+};
+// Gauss–Legendre but for one. Members of a template on the scalar: nothing here may be shared between instruction sets.
+template<class S>
+struct LobeRule {
+    static constexpr SymmetricRule<2> four{{{0.65214515F, 0.33998104F}, {0.34785485F, 0.86113631F}}};
+    static constexpr SymmetricRule<2> five{{{0.47862867F, 0.53846931F}, {0.23692689F, 0.90617985F}}, 0.56888889F};
+    static constexpr SymmetricRule<3> six{
+        {{0.46791393F, 0.23861919F}, {0.36076157F, 0.66120939F}, {0.17132449F, 0.93246951F}}};
+    static constexpr SymmetricRule<4> eight{{{0.36268378F, 0.18343464F},
+                                             {0.31370665F, 0.52553241F},
+                                             {0.22238103F, 0.79666648F},
+                                             {0.10122854F, 0.96028986F}}};
+    // For a function that begins and ends like a root: exact for √(1 − x²) times a polynomial of x of degree 11
+    // (Gauss–Chebyshev of the second kind, its weights over that root).
+    static constexpr SymmetricRule<3> six_of_roots{
+        {{0.43754662F, 0.22252093F}, {0.35088515F, 0.6234898F}, {0.19472657F, 0.90096887F}}};
+};
+
+// The points of a rule by their angles, from the least to the greatest.
+template<std::size_t count>
+struct AngleRule {
+    AnglePair at[count];
+};
+template<const auto& rule>
+constexpr AngleRule<rule.size()> in_order() {
+    AngleRule<rule.size()> all{};
+    constexpr std::size_t pairs = std::size(rule.pair);
+    for (std::size_t i = 0; i < pairs; ++i) {
+        all.at[rule.size() - pairs + i] = rule.pair[i];
+        all.at[pairs - 1 - i] = {rule.pair[i].weight, -rule.pair[i].at};
+    }
+    if (rule.middle > 0.0F) all.at[pairs] = {rule.middle, 0.0F};
+    return all;
+}
+
+// The directions between two in a plane, at most half a turn apart.
+template<class S>
+struct Fan {
+    vec2<S> middle, beside; // unit, perpendicular
+    S half;                 // half the angle, within 4e-5 of it
+
+    // `from` and `to` are unit.
+    GONIO_FORCE_INLINE Fan(vec2<S> from, vec2<S> to) {
+        const vec2<S> sum = from + to;
+        const S sum2 = dot(sum, sum);
+        // Opposite directions leave their sum to rounding.
+        const auto opposite = sum2 < S(1e-6);
+        const S length = simd::sqrt(simd::select(opposite, S(1), sum2));
+        const vec2<S> bisector = select(opposite, vec2<S>{-from.y, from.x}, sum * (S(1) / length));
+        const S across = S(0.5) * cross(bisector, to - from); // the sine of half
+        set(bisector, across / (S(1) + simd::select(opposite, S(0), S(0.5) * length)));
+    }
+    // From the direction of (1, from) to that of (1, to), −1e4 ≤ from ≤ to ≤ 1e4.
+    GONIO_FORCE_INLINE Fan(S from, S to) {
+        const S a = simd::sqrt(simd::mul_add(from, from, S(1)));
+        const S b = simd::sqrt(simd::mul_add(to, to, S(1)));
+        const vec2<S> sum{a + b, simd::mul_add(from, b, to * a)}; // 2ab cos(half) long
+        const S length = simd::sqrt(dot(sum, sum));
+        const S twice = S(2) * a * b;
+        const S inverse = S(1) / (length * (twice + length));
+        set(sum * (inverse * (twice + length)), (to - from) * inverse * twice);
+    }
+    // Of an angle up to 0.94·π/2; sine and cosine are within 5e-6 (minimax).
+    struct Turn {
+        S sine, cosine;
+    };
+    GONIO_FORCE_INLINE static Turn turn(S angle) {
+        const S square = angle * angle;
+        return {
+            angle * simd::detail::polynomial(square, 0.99999954F, -0.16665984F, 0.0083175814F, -0.00018673332F),
+            simd::mul_add(simd::detail::polynomial(square, -0.49995528F, 0.041541302F, -0.0012884766F), square, S(1))};
+    }
+    // work(direction, its share of the whole angle) for both points of a pair.
+    template<class Work>
+    GONIO_FORCE_INLINE void for_both(const AnglePair& pair, const Work& work) const {
+        const auto [sine, cosine] = turn(half * S(pair.at));
+        work(middle * cosine - beside * sine, half * S(pair.weight));
+        work(middle * cosine + beside * sine, half * S(pair.weight));
+    }
+    // The same for all points of a rule in one loop.
+    template<std::size_t count, class Work>
+    GONIO_FORCE_INLINE void for_each(const AngleRule<count>& rule, const Work& work) const {
+        simd::for_each_of<S>(rule.at, [&](const auto& point) {
+            const auto [sine, cosine] = turn(half * S(point.at));
+            work(middle * cosine + beside * sine, half * S(point.weight));
+        });
+    }
+    // All points of a rule, with their shares of the whole angle.
+    template<std::size_t pairs>
+    GONIO_FORCE_INLINE void divide(const SymmetricRule<pairs>& rule, vec2<S>* at, S* share) const {
+        if (rule.middle > 0.0F) {
+            *at++ = middle;
+            *share++ = half * S(rule.middle);
+        }
+        for (const AnglePair& pair : rule.pair)
+            for_both(
+                pair, [&](vec2<S> direction, S angle) __attribute__((always_inline)) {
+                    *at++ = direction;
+                    *share++ = angle;
+                });
+    }
+
+private:
+    // `t` is the tangent of half of `half`.
+    GONIO_FORCE_INLINE void set(vec2<S> bisector, S t) {
+        middle = bisector;
+        beside = {-middle.y, middle.x};
+        half = t * simd::detail::polynomial(t * t, 2.0F, -0.6666094F, 0.39708839F, -0.26035562F, 0.13668811F,
+                                            -0.036046437F);
+    }
+};
+
+} // namespace gonio::shading::detail
