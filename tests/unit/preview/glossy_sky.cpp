@@ -83,6 +83,7 @@ double error_of(const char* material, const char* sky_text) {
 TEST(GlossySky, AgreesWithSampledDirections) {
     const char* const clear = "cie:12,sun=120/40,horizontal=20klx";
     EXPECT_LT(error_of("ue4:base=0.9,metallic=1,roughness=0.3", clear), 0.035);
+    if (test::is_sanitized) return;
     EXPECT_LT(error_of("ue4:base=0.9,metallic=1,roughness=0.6", clear), 0.035);
     EXPECT_LT(error_of("frostbite:base=0.5,smoothness=0.5", "cie:1,horizontal=10klx"), 0.02);
 }
