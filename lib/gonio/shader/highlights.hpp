@@ -95,7 +95,7 @@ inline void label_sums(Function& f, const core::detail::PointSums<S>& sums, std:
 }
 template<class Points>
 void label_points(Function& f, const Points& points, Vector v) {
-    points.for_each([&](Vector p, S strength, auto... /*by_cosine*/) {
+    points.for_each([&](Vector p, S strength) {
         f.label("p", p);
         f.label("strength", strength);
         const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(1e-18)));
@@ -109,7 +109,6 @@ void label_points(Function& f, const Points& points, Vector v) {
 // specular_ltc.hpp, in stages: nothing, points of the light, rows of points.
 template<class Highlight, template<class> class Lobe, class CosineOf>
 void rows_stages(Function& f, const Highlight& highlight, const Lobe<S>& lobe, const CosineOf& cosine_of) {
-    using core::detail::CosineSum;
     const auto& light = highlight.light;
     const Vector view = highlight.view;
     const auto of = light.as_light();
@@ -124,7 +123,7 @@ void rows_stages(Function& f, const Highlight& highlight, const Lobe<S>& lobe, c
 
     const auto pose = pose_now(); // of an eye that sees the surface
     label_points(f, pose.points, pose.v);
-    const auto sums = core::detail::point_sums<CosineSum::none>(pose.points, lobe, pose.cosine, pose.v);
+    const auto sums = core::detail::point_sums(pose.points, lobe, pose.cosine, pose.v);
     label_sums(f, sums, "points_", "The lobe itself at points of the light, which are enough for a small one.");
     const auto by_points = core::detail::as_luminance(sums.value, core::detail::grazing_share(sums));
     f.early(small, S::of(highlight.luminance(by_points).node()), "Small against the lobe.");
@@ -134,11 +133,8 @@ void rows_stages(Function& f, const Highlight& highlight, const Lobe<S>& lobe, c
     using Cosine = std::remove_cvref_t<decltype(pose.cosine)>;
     const core::detail::RowPoints<S, Region, Lobe<S>, Cosine> rows(region, pose.cosine, lobe, pose.v);
     label_points(f, rows, pose.v);
-    constexpr auto which = core::detail::sum_of_rows<Region, Lobe<S>>;
-    label_sums(f, core::detail::point_sums<which>(rows, lobe, pose.cosine, pose.v), "rows_",
-               which == CosineSum::none
-                   ? "Along rows of points that the cosine places in the light: the lobe itself."
-                   : "Along rows of points that the cosine places in the light: the lobe itself, and the cosine.");
+    label_sums(f, core::detail::point_sums(rows, lobe, pose.cosine, pose.v), "rows_",
+               "Along rows of points that the cosine places in the light: the lobe itself.");
     f.returns(highlight.luminance(core::specular_ltc(of, light.to_center, light.normal, view, lobe, cosine_of)));
 }
 template<class Light>
@@ -242,8 +238,7 @@ void highlight_by_share(Function& f) {
     constexpr double alone = core::detail::ltc_points_alone[0];
     const auto small = pose.size2 < S(alone * alone) * pose.distance2;
     const auto dark = pose.is_below();
-    const auto sums =
-        core::detail::point_sums<core::detail::CosineSum::none>(pose.points, of.lobe, pose.cosine, pose.v);
+    const auto sums = core::detail::point_sums(pose.points, of.lobe, pose.cosine, pose.v);
     label_pose(f, pose);
     f.label("small", small);
     f.label("dark", dark);

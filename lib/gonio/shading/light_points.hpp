@@ -131,33 +131,27 @@ struct TubePoints {
 
 inline constexpr std::size_t most_points = 48; // rows of a tube
 
-// The points of a light of any kind, or RowPoints (lobe_rows.hpp) with what they know of the cosine.
-template<class S, bool with_cosine = false>
+// The points of a light of any kind, or RowPoints (lobe_rows.hpp).
+template<class S>
 struct GatheredPoints {
     vec3<S> at[most_points];
     S strength[most_points];
-    S by_cosine[with_cosine ? most_points : 1];
     std::size_t count;
 
     template<class Points>
     GONIO_FORCE_INLINE void gather(const Points& points) {
         static_assert(Points::size <= most_points);
         count = 0;
-        points.for_each([&](vec3<S> p, S s, auto... of_cosine) __attribute__((always_inline)) {
+        points.for_each([&](vec3<S> p, S s) __attribute__((always_inline)) {
             at[count] = p;
             strength[count] = s;
-            if constexpr (with_cosine) ((by_cosine[count] = of_cosine), ...);
             ++count;
         });
     }
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
-        for (std::size_t i = 0; i < count; ++i) {
-            if constexpr (with_cosine)
-                work(at[i], strength[i], by_cosine[i]);
-            else
-                work(at[i], strength[i]);
-        }
+        for (std::size_t i = 0; i < count; ++i)
+            work(at[i], strength[i]);
     }
 };
 

@@ -44,23 +44,24 @@ GONIO_FORCE_INLINE vec3<S> touching_plane(vec3<S> rim, vec3<S> by_cos, vec3<S> b
     return normalized(rim - by_cos * cosine - by_sin * (by_sin.z * inverse));
 }
 
+// A light is thin if the angle between two planes that touch it along its sides has a greater cosine.
+inline constexpr double thin_cosine = 0.9;
+
 // Regions: convex cones of directions above the receiver's horizon. Each has
 //     nearest                    the unit normal, inwards, of a plane that touches it near z'
 //     for_each_extreme(A, work)  work(p', whether p is in the region, or on its outline) for points that include those
 //                                of the greatest and least ω about A; work also gets all ω where A is in the region
 //     row(B, A)                  the part of a row
 //     rows, along_row            the rules over ω and along a row
-//     has_kinks                  whether the length of a row, over ω, has kinks, which a rule does not know
-//     has_axis                   whether rows may have another axis: `own_axis`, unit, in the plane of `own_nearest`,
-//                                where `is_thin`
+//     has_axis                   whether rows may lie along the light: along `own_axis`, unit, in the plane of
+//                                `own_nearest`, where `along_light`
 
 // A rectangle. The patch's centre, u and v are in the receiver's frame.
 template<class S>
 struct RectangleRegion {
     static constexpr const auto& rows = LobeRule<S>::four;
-    static constexpr const auto& along_row = LobeRule<S>::five;
-    static constexpr bool has_kinks = true;
-    static constexpr bool has_axis = false;
+    static constexpr const auto& along_row = LobeRule<S>::six;
+    static constexpr bool has_axis = true;
 
     vec3<S> corner[4];
     S up[4];              // their heights above the horizon
@@ -68,6 +69,9 @@ struct RectangleRegion {
     vec3<S> edge[4];
     vec3<S> horizon;
     vec3<S> nearest;
+    // Rows along two edges have no kinks in their lengths, unless the horizon cuts them.
+    vec3<S> own_axis, own_nearest;
+    simd::mask_of<S> along_light;
 
     template<bool sheared>
     GONIO_FORCE_INLINE RectangleRegion(const LtcLobe<S, sheared>& lobe, const RectanglePoints<S>& points)
@@ -91,9 +95,18 @@ struct RectangleRegion {
         edge[1] = normalized(cross(corner[1], v1) * sign);
         edge[2] = normalized(cross(u1, corner[2]) * sign);
         edge[3] = normalized(cross(v1, corner[3]) * sign);
-        nearest = nearer_plane(nearer_plane(edge[0], edge[1]), nearer_plane(edge[2], edge[3]));
+        const vec3<S> nearest_u = nearer_plane(edge[0], edge[2]);
+        const vec3<S> nearest_v = nearer_plane(edge[1], edge[3]);
+        // Along the edges between whose planes the light is the narrower.
+        const S cosine_u = dot(edge[0], edge[2]);
+        const S cosine_v = dot(edge[1], edge[3]);
+        const auto along_v = cosine_v < cosine_u;
+        own_axis = normalized(select(along_v, v1, u1));
+        own_nearest = select(along_v, nearest_v, nearest_u);
+        nearest = nearer_plane(nearest_u, nearest_v);
         cut = simd::min(simd::min(up[0], up[1]), simd::min(up[2], up[3])) < S(0);
         nearest = select(cut, nearer_plane(nearest, horizon), nearest);
+        along_light = simd::either(!cut, simd::min(cosine_u, cosine_v) < S(-thin_cosine));
     }
 
     template<class Work>
@@ -203,7 +216,6 @@ template<class S>
 struct CircleRegion {
     static constexpr const auto& rows = LobeRule<S>::six_of_roots;
     static constexpr const auto& along_row = LobeRule<S>::six;
-    static constexpr bool has_kinks = false;
     static constexpr bool has_axis = false;
 
     CircleCone<S> cone;
@@ -255,7 +267,6 @@ template<class S>
 struct TubeRegion {
     static constexpr const auto& rows = LobeRule<S>::eight;
     static constexpr const auto& along_row = LobeRule<S>::six;
-    static constexpr bool has_kinks = false;
     static constexpr bool has_axis = true;
 
     CircleCone<S> end[2];
@@ -267,7 +278,7 @@ struct TubeRegion {
     simd::mask_of<S> beyond; // in the infinite cylinder: only one end is seen
     // Rows lie along a thin tube: across it their lengths would have kinks where they leave the side for an end.
     vec3<S> own_axis, own_nearest;
-    simd::mask_of<S> is_thin;
+    simd::mask_of<S> along_light;
 
     template<bool sheared>
     GONIO_FORCE_INLINE TubeRegion(const LtcLobe<S, sheared>& lobe, const TubeSeen<S>& tube)
@@ -297,8 +308,7 @@ struct TubeRegion {
         nearest = own_nearest;
         if (simd::any(beyond))
             nearest = select(beyond, select(tube.along > S(0), end[0].touching(), end[1].touching()), nearest);
-        constexpr double least_cosine = 0.9; // of the angle between the side's planes
-        is_thin = simd::both(!beyond, dot(side[0], side[1]) < S(-least_cosine));
+        along_light = simd::both(!beyond, dot(side[0], side[1]) < S(-thin_cosine));
         own_axis = normalized(axis1);
         nearest = select(cut, nearer_plane(nearest, horizon), nearest);
     }

@@ -3,7 +3,7 @@
 //
 // A linearly transformed cosine (ltc_lobe.hpp) takes the lobe almost to a cosine, and the light's cone of directions to
 // another convex cone. That cone is cut into half planes through an axis A that is perpendicular to the cosine's axis
-// z' and parallel to the boundary nearest to it, or along a thin tube: B cos ψ + A sin ψ, where B is at the angle ω
+// z' and parallel to the boundary nearest to it, or along the light: B cos ψ + A sin ψ, where B is at the angle ω
 // about A. The rows, over ω, are placed as if the lobe were the cosine. Along a row, 1 + (tan θ_h/α)² of the half
 // vector (the denominator of GGX, whose square is in the lobe) is nearly a quadratic polynomial of τ = tan ψ, so the
 // points are placed as if it were: at equal steps of the angle whose tangent is (τ − τ_min)/width. At each point the
@@ -63,7 +63,6 @@ public:
     static constexpr std::size_t rows = rule.size();
     // Not of other lobes: their rows cross the ridge.
     static constexpr bool has_axis = Region::has_axis && Lobe::is_even;
-    static_assert(!(Region::has_kinks && has_axis), "by_cosine is that of a level axis");
     static constexpr std::size_t points_of_row = Region::along_row.size();
     static constexpr std::size_t size = rows * points_of_row;
 
@@ -89,9 +88,9 @@ public:
         ahead_ = {-(e.z * beside.x), -(e.z * beside.y), level};
 
         if constexpr (has_axis) {
-            inwards_ = select(region.is_thin, region.own_nearest, inwards_);
-            axis_ = select(region.is_thin, region.own_axis, axis_);
-            ahead_ = select(region.is_thin, cross(e, region.own_axis), ahead_);
+            inwards_ = select(region.along_light, region.own_nearest, inwards_);
+            axis_ = select(region.along_light, region.own_axis, axis_);
+            ahead_ = select(region.along_light, cross(e, region.own_axis), ahead_);
         }
 
         first_ = {S(-1), S(1e-20)};
@@ -109,7 +108,7 @@ public:
         const S further = simd::min(simd::max(ahead_by, alpha * alpha), S(2) * alpha);
         const vec2<S> limit = normalized(horizon + vec2<S>{-horizon.y, horizon.x} * further);
         auto within = simd::both(before > S(0), limit.y > S(0)); // less than half a turn from the first
-        if constexpr (has_axis) within = simd::both(within, !region.is_thin);
+        if constexpr (has_axis) within = simd::both(within, !region.along_light);
         last_ = select(simd::both(within, cross(limit, last_) > S(0)), limit, last_);
         const auto empty = simd::both(cross(first_, last_) <= S(0), dot(first_, last_) > S(-0.5));
 
@@ -121,8 +120,7 @@ public:
         strength_ = simd::select(empty, S(0), inverse * back_.inverse_m11);
     }
 
-    // work(p, strength, by_cosine) for each point; the receiver sees it under the solid angle strength/|p|³, and
-    // by_cosine is the transformed cosine times that, strength (M p)_z/|M p|⁴, where A is level.
+    // work(p, strength) for each point; the receiver sees it under the solid angle strength/|p|³.
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         const Fan<S> around(first_, last_);
@@ -203,15 +201,11 @@ private:
         const S to = clamped(part.to);
         const Fan<S> along(from, to);
         const S strength = simd::select(from < to, strength_ * turn * width, S(0));
-        // The direction at τ = least + width·y/x, times x. Transformed it is x B + t A with t = x τ, where A is level.
+        // The direction at τ = least + width·y/x, times x.
         const vec3<S> by_x = mul_add(toward_axis_, least, toward_base);
         const vec3<S> by_y = toward_axis_ * width;
-        const S rising = strength * base.z;
-
         const auto place = [&](vec2<S> at, S angle) __attribute__((always_inline)) {
-            const S t = simd::mul_add(least, at.x, width * at.y);
-            const S ratio = at.x / simd::mul_add(t, t, at.x * at.x);
-            work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength, rising * angle * ratio * ratio);
+            work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength);
         };
         if constexpr (simd::is_recorded<S>) {
             along.for_each(in_order<Region::along_row>(), place);

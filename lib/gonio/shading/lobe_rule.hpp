@@ -18,15 +18,13 @@ using AnglePair = AnglePairOf<float>;
 template<std::size_t pairs>
 struct SymmetricRule {
     AnglePair pair[pairs];
-    float middle = 0.0F; // the weight of a point at 0, if there is one
 
-    constexpr std::size_t size() const { return 2 * pairs + (middle > 0.0F ? 1 : 0); }
+    static constexpr std::size_t size() { return 2 * pairs; }
 };
 // Gauss–Legendre but for one. Members of a template on the scalar: nothing here may be shared between instruction sets.
 template<class S>
 struct LobeRule {
     static constexpr SymmetricRule<2> four{{{0.65214515F, 0.33998104F}, {0.34785485F, 0.86113631F}}};
-    static constexpr SymmetricRule<2> five{{{0.47862867F, 0.53846931F}, {0.23692689F, 0.90617985F}}, 0.56888889F};
     static constexpr SymmetricRule<3> six{
         {{0.46791393F, 0.23861919F}, {0.36076157F, 0.66120939F}, {0.17132449F, 0.93246951F}}};
     static constexpr SymmetricRule<4> eight{{{0.36268378F, 0.18343464F},
@@ -52,7 +50,6 @@ constexpr AngleRule<rule.size()> in_order() {
         all.at[rule.size() - pairs + i] = rule.pair[i];
         all.at[pairs - 1 - i] = {rule.pair[i].weight, -rule.pair[i].at};
     }
-    if (rule.middle > 0.0F) all.at[pairs] = {rule.middle, 0.0F};
     return all;
 }
 
@@ -111,10 +108,6 @@ struct Fan {
     // All points of a rule, with their shares of the whole angle.
     template<std::size_t pairs>
     GONIO_FORCE_INLINE void divide(const SymmetricRule<pairs>& rule, vec2<S>* at, S* share) const {
-        if (rule.middle > 0.0F) {
-            *at++ = middle;
-            *share++ = half * S(rule.middle);
-        }
         for (const AnglePair& pair : rule.pair)
             for_both(
                 pair, [&](vec2<S> direction, S angle) __attribute__((always_inline)) {

@@ -26,6 +26,22 @@ GONIO_FORCE_INLINE SpecularLuminance<S> points_alone(const PointSums<S>& sums, s
             simd::min(sums.grazing / simd::max(sums.value, S(1e-36)), S(1))};
 }
 
+// The share of the transformed cosine by its sum, for the lobe's albedo.
+template<class S, bool sheared>
+GONIO_FORCE_INLINE S summed_share(const PointSums<S>& sums, const LtcLobe<S, sheared>& cosine, S albedo) {
+    constexpr double inverse_pi = 0.31830988618379067154;
+    return sums.by_cosine * cosine.determinant() * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
+}
+
+// 1/(1 + (κ + 1/κ − 2)/width²) for the ratio κ of a share by points and the exact one; the fraction is (ln κ/width)²
+// where κ is near 1.
+template<class S>
+GONIO_FORCE_INLINE S trust(S summed, S exact, double width) {
+    const S product = summed * exact;
+    const S apart = (summed - exact) * S(1.0 / width);
+    return product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
+}
+
 } // namespace detail
 
 // As specular_ltc(), for a light that is not seen as another.
@@ -39,9 +55,8 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by_share(const Light& light, ve
     const auto small = pose.size2 < S(alone2) * pose.distance2;
     const auto dark = pose.is_below();
     if (simd::all(simd::either(small, dark)))
-        return detail::points_alone(detail::sums_over<detail::CosineSum::none>(pose.points, lobe, cosine, pose.v),
-                                    dark);
-    const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::positive>(pose.points, lobe, cosine, pose.v);
+        return detail::points_alone(detail::sums_over(pose.points, lobe, cosine, pose.v), dark);
+    const detail::PointSums<S> sums = detail::sums_over<true>(pose.points, lobe, cosine, pose.v);
     const S albedo = cosine.albedo * lobe.albedo_share(pose.v.z);
     const S share = detail::ltc_share(cosine, pose.frame, light, to_center) * albedo;
     const S by_cosine = detail::summed_share(sums, cosine, albedo);

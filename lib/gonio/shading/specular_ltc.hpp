@@ -1,6 +1,5 @@
 // The specular part of a material under an area light: its lobe itself, summed over points of the light or over rows of
-// points that a linearly transformed cosine places (ltc_lobe.hpp, lobe_rows.hpp), and corrected by the cosine's exact
-// share (ltc_share.hpp).
+// points that a linearly transformed cosine places (ltc_lobe.hpp, lobe_rows.hpp).
 //
 // One call gives both terms of the reflectance (specular_method.hpp). Positions are relative to the receiver.
 #pragma once
@@ -53,24 +52,16 @@ template<class S>
 struct PointSums {
     S value;     // ∫ f n·l dω, of the lobe itself with F = 1
     S grazing;   // the same with F = (1 − l·h)⁵
-    S by_cosine; // ∫ of the transformed cosine that approximates the lobe, up to a factor
+    S by_cosine; // ∫ of the transformed cosine that approximates the lobe, where it is positive, up to a factor
 };
 
-// What by_cosine sums: nothing, the cosine with its sign, as its exact share does (ltc_lobe.hpp), which rows know, or
-// the cosine where it is positive.
-enum class CosineSum { none, of_rows, positive };
-
-// Of the rows in a region: what corrects their sum.
-template<class Region, class Lobe>
-inline constexpr CosineSum sum_of_rows = (Lobe::is_even && Region::has_kinks) ? CosineSum::of_rows : CosineSum::none;
-
-// `points` are those of a light (light_points.hpp) or RowPoints, which also know the cosine.
-template<CosineSum which, class S, class Points, class Lobe, bool sheared>
+// `points` are those of a light (light_points.hpp) or RowPoints. Without `with_cosine`, by_cosine is 0.
+template<bool with_cosine = false, class S, class Points, class Lobe, bool sheared>
 GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
                                            vec3<S> v) {
     PointSums<S> sums{S(0), S(0), S(0)};
     constexpr double least = 1e-18; // its cube is still a float
-    points.for_each([&](vec3<S> p, S strength, [[maybe_unused]] auto... by_cosine) __attribute__((always_inline)) {
+    points.for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
         const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
         const vec3<S> l = p * inverse;
         const S solid_angle = strength * inverse * inverse * inverse;
@@ -79,9 +70,7 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
         const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
         simd::accumulate(sums.value, value);
         simd::accumulate_product(sums.grazing, value, schlick_weight(h.l_dot_h));
-        if constexpr (which == CosineSum::of_rows) {
-            (simd::accumulate(sums.by_cosine, by_cosine), ...);
-        } else if constexpr (which == CosineSum::positive) {
+        if constexpr (with_cosine) {
             const vec3<S> q = cosine(l);
             const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
             const S above = simd::select(l.z > S(0), simd::max(q.z, S(0)), S(0));
@@ -92,24 +81,24 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
 }
 
 // The same for points of any light: not inlined, where kernels are to be small.
-template<CosineSum which, class S, class Lobe, bool with_cosine, bool sheared>
-[[gnu::noinline]] void sum_gathered(const GatheredPoints<S, with_cosine>& points, const Lobe& lobe,
+template<bool with_cosine, class S, class Lobe, bool sheared>
+[[gnu::noinline]] void sum_gathered(const GatheredPoints<S>& points, const Lobe& lobe,
                                     const LtcLobe<S, sheared>& cosine, const vec3<S>& v, PointSums<S>& sums) {
-    sums = point_sums<which>(points, lobe, cosine, v);
+    sums = point_sums<with_cosine>(points, lobe, cosine, v);
 }
-template<CosineSum which, class S, class Points, class Lobe, bool sheared>
+template<bool with_cosine = false, class S, class Points, class Lobe, bool sheared>
 GONIO_FORCE_INLINE PointSums<S> sums_over(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
                                           vec3<S> v) {
 #ifdef GONIO_SMALL_KERNELS
     if constexpr (!simd::is_recorded<S>) {
-        GatheredPoints<S, which == CosineSum::of_rows> gathered;
+        GatheredPoints<S> gathered;
         gathered.gather(points);
         PointSums<S> sums;
-        sum_gathered<which>(gathered, lobe, cosine, v, sums);
+        sum_gathered<with_cosine>(gathered, lobe, cosine, v, sums);
         return sums;
     } else
 #endif
-        return point_sums<which>(points, lobe, cosine, v);
+        return point_sums<with_cosine>(points, lobe, cosine, v);
 }
 
 // What a receiver sees of a light, in the frame of its lobe.
@@ -147,22 +136,6 @@ GONIO_FORCE_INLINE auto lobe_pose(const Light& light, vec3<S> to_center, vec3<S>
         points,
         points.transformed_size2(cosine),
         simd::max(dot(c1, c1), S(1e-36))};
-}
-
-// The share of the transformed cosine by its sum, for the lobe's albedo.
-template<class S, bool sheared>
-GONIO_FORCE_INLINE S summed_share(const PointSums<S>& sums, const LtcLobe<S, sheared>& cosine, S albedo) {
-    constexpr double inverse_pi = 0.31830988618379067154;
-    return sums.by_cosine * cosine.determinant() * albedo * S(inverse_pi) / simd::max(cosine.horizon_z, S(1e-12));
-}
-
-// 1/(1 + (κ + 1/κ − 2)/width²) for the ratio κ of a share by points and the exact one; the fraction is (ln κ/width)²
-// where κ is near 1.
-template<class S>
-GONIO_FORCE_INLINE S trust(S summed, S exact, double width) {
-    const S product = summed * exact;
-    const S apart = (summed - exact) * S(1.0 / width);
-    return product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
 }
 
 // Below these sizes (a length over its distance, after the transform) the light's own points are used; the second holds
@@ -250,16 +223,7 @@ GONIO_FORCE_INLINE S grazing_share(const PointSums<S>& sums) {
 // n·v is not positive. Light is any light with a size, or a SunLight; its window is not applied.
 //
 // The lobe is summed over the light's own points if the light is small compared with the lobe, otherwise over rows of
-// points. That sum, F, is the result for a light without corners. In a light it is the lobe's albedo.
-//
-// Rows do not know where a rectangle has its corners. With C the sum of the transformed cosine over its rows, and K the
-// cosine's exact share, its result is
-//
-//     F (1 + w² (K/C − 1)),  w = K C/((C − K)²/0.2² + K C)
-//
-// If the points give the cosine's share nearly, they err in the lobe as in the cosine, so K/C mends both; w is near 1
-// then. If they do not, F stays. A lobe that is not the same in all directions of the surface is less like its cosine,
-// and F is the result.
+// points. In a light it is the lobe's albedo. Where rounding loses all rows, it is the transformed cosine's share.
 //
 // `cosine_of(n·v, ‖n×v‖)` gives the transformed cosine of the lobe's α.
 template<class S, class Light, template<class> class Lobe, class CosineOf>
@@ -271,7 +235,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     S value = S(0);
     S grazing = S(0);
     if (simd::any(simd::both(small, !dark))) {
-        const detail::PointSums<S> sums = detail::sums_over<detail::CosineSum::none>(points, lobe, cosine, v);
+        const detail::PointSums<S> sums = detail::sums_over(points, lobe, cosine, v);
         value = sums.value;
         grazing = detail::grazing_share(sums);
     }
@@ -279,34 +243,19 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         const auto region = detail::region_of(cosine, points, light, frame, to_center);
         const detail::RowPoints<S, decltype(region), Lobe<S>, std::remove_cvref_t<decltype(cosine)>> rows(
             region, cosine, lobe, v);
-        constexpr auto which = detail::sum_of_rows<std::remove_cv_t<decltype(region)>, Lobe<S>>;
-        const detail::PointSums<S> sums = detail::sums_over<which>(rows, lobe, cosine, v);
-        S by_rows = sums.value;
-        const S albedo = cosine.albedo * lobe.albedo_share(v.z);
-        S share = albedo;
+        const detail::PointSums<S> sums = detail::sums_over(rows, lobe, cosine, v);
+        S share = cosine.albedo * lobe.albedo_share(v.z);
         auto by_share = detail::surrounded(light, to_center);
-        if constexpr (which == detail::CosineSum::of_rows) {
-            const S k = detail::ltc_share(cosine, frame, light, to_center, !simd::either(small, dark)) * albedo;
-            const S c = detail::summed_share(sums, cosine, albedo);
-            const auto both = simd::both(k > S(0), c > S(0));
-            const S trust = detail::trust(c, k, 0.2);
-            const S ratio = simd::select(both, k / simd::select(both, c, S(1)), S(1));
-            by_rows = by_rows * simd::mul_add(trust * trust, ratio - S(1), S(1));
-            // Rows of a light seen edge-on may be lost to rounding, or be elsewhere: then C is far from K, which is
-            // computed with care for such lights. A K of 0 says nothing: the cosine may be negative there.
-            by_share =
-                simd::both(k > S(0), simd::either(simd::abs(c) < S(1e-3) * k, c > simd::mul_add(S(10), k, S(1e-3))));
-            share = k;
-        } else if constexpr (Lobe<S>::is_even && !simd::is_recorded<S>) {
+        if constexpr (Lobe<S>::is_even && !simd::is_recorded<S>) {
             // Floats may lose all rows of a cone that is nearly flat, or whose side almost meets the receiver.
-            const auto lost = simd::both(!simd::either(small, dark), !(by_rows > S(0)));
+            const auto lost = simd::both(!simd::either(small, dark), !(sums.value > S(0)));
             if (simd::any(lost)) {
-                const S k = detail::ltc_share(cosine, frame, light, to_center, lost) * albedo;
+                const S k = detail::ltc_share(cosine, frame, light, to_center, lost) * share;
                 share = simd::select(lost, k, share);
                 by_share = simd::either(by_share, lost);
             }
         }
-        value = simd::select(small, value, simd::select(by_share, share, by_rows));
+        value = simd::select(small, value, simd::select(by_share, share, sums.value));
         grazing = simd::select(small, grazing,
                                simd::select(by_share, cosine.grazing / cosine.albedo, detail::grazing_share(sums)));
     }

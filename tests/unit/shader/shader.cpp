@@ -363,7 +363,7 @@ TEST(ShaderText, SumsRowsInLoops) {
     const std::string glsl = text_of(*rows, ShaderLanguage::glsl_es300, ShaderBranches::real);
     EXPECT_EQ(count_of(glsl, "for (int i = 0; i < 9; ++i) {"), 1U) << "points of the light";
     EXPECT_EQ(count_of(glsl, "for (int i1 = 0; i1 < 4; ++i1) {"), 1U) << "rows";
-    EXPECT_EQ(count_of(glsl, "for (int j = 0; j < 5; ++j) {"), 1U) << "points of a row";
+    EXPECT_EQ(count_of(glsl, "for (int j = 0; j < 6; ++j) {"), 1U) << "points of a row";
     EXPECT_EQ(count_of(glsl, "rows_value += "), 1U) << "one total over both";
     EXPECT_EQ(count_of(glsl, "const float weight_9[9] = float[9]("), 1U);
     const std::string wgsl = text_of(*rows, ShaderLanguage::wgsl, ShaderBranches::real);
