@@ -4,10 +4,12 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -21,92 +23,143 @@ constexpr double least_white = 200.0;
 // Of the weight of all lit pixels.
 constexpr double least_share_of_subject = 0.5;
 
-struct Metered {
-    double luminance;
-    bool is_subject;
-};
-
-// Lit pixels with weights that add up to their number.
-class MeteredPixels {
+// The sum of many logarithms as that of their products: all luminances are floats.
+class Logarithms {
 public:
-    explicit MeteredPixels(std::vector<Metered> pixels) : pixels_(std::move(pixels)), rest_(pixels_.begin()) {
-        const double of_subject = subjects(pixels_.begin(), pixels_.end());
-        const bool is_small = of_subject > 0.0 && of_subject < least_share_of_subject * count();
-        if (!is_small) return;
-        subject_weight_ = least_share_of_subject * count() / of_subject;
-        other_weight_ = (1.0 - least_share_of_subject) * count() / (count() - of_subject);
+    void add(double luminance) {
+        product_ *= luminance;
+        if (++factors_ == 4) take_product();
     }
-
-    double count() const { return static_cast<double>(pixels_.size()); }
-
-    double geometric_mean() const {
-        Logarithms of_subject;
-        Logarithms of_others;
-        for (const Metered& pixel : pixels_)
-            (pixel.is_subject ? of_subject : of_others).add(pixel.luminance);
-        return std::exp((subject_weight_ * of_subject.sum() + other_weight_ * of_others.sum()) / count());
-    }
-
-    // The luminance that one in `share` of the weight is above; each call with a greater share than the one before. It
-    // divides the pixels instead of sorting them.
-    double below_one_in(double share) {
-        const double below = (count() - 1.0) * (share - 1.0) / share;
-        auto last = pixels_.end();
-        while (last - rest_ > 1) {
-            const auto middle = rest_ + (last - rest_) / 2;
-            std::nth_element(rest_, middle, last,
-                             [](const Metered& a, const Metered& b) { return a.luminance < b.luminance; });
-            const double lower = weight(rest_, middle);
-            if (left_ + lower > below) {
-                last = middle;
-            } else {
-                left_ += lower;
-                rest_ = middle;
-            }
-        }
-        return rest_->luminance;
+    double sum() {
+        take_product();
+        return sum_;
     }
 
 private:
+    void take_product() {
+        sum_ += std::log(product_);
+        product_ = 1.0;
+        factors_ = 0;
+    }
+
+    double sum_ = 0.0;
+    double product_ = 1.0;
+    int factors_ = 0;
+};
+
+// Lit pixels with weights that add up to their number. A picture is read again for each quantile: a copy of its
+// luminances would take longer to write.
+class MeteredPixels {
+public:
+    MeteredPixels(const Image& rgb_nits, std::span<const std::uint8_t> left_out, std::span<const std::uint8_t> subject)
+        : rgb_nits_(rgb_nits), left_out_(left_out), subject_(subject), bins_(bin_count) {
+        Logarithms of_subject;
+        Logarithms of_others;
+        for_each([&](double luminance, bool is_subject) {
+            ++bins_[bin_of(luminance)].count[is_subject ? 1 : 0];
+            (is_subject ? of_subject : of_others).add(luminance);
+        });
+        Bin all;
+        for (const Bin& bin : bins_)
+            for (std::size_t k = 0; k < 2; ++k)
+                all.count[k] += bin.count[k];
+        const auto subjects = static_cast<double>(all.count[1]);
+        count_ = static_cast<double>(all.count[0]) + subjects;
+        if (subjects > 0.0 && subjects < least_share_of_subject * count_) {
+            subject_weight_ = least_share_of_subject * count_ / subjects;
+            other_weight_ = (1.0 - least_share_of_subject) * count_ / (count_ - subjects);
+        }
+        logarithms_ = subject_weight_ * of_subject.sum() + other_weight_ * of_others.sum();
+    }
+
+    // The rest is for pictures with lit pixels.
+    double count() const { return count_; }
+    double geometric_mean() const { return std::exp(logarithms_ / count_); }
+
+    // The luminance that one in `share` of the weight is above.
+    double below_one_in(double share) const {
+        double left = (count_ - 1.0) * (share - 1.0) / share; // the weight of what is below
+        std::size_t at = 0;
+        double left_of_bin = left;
+        for (std::size_t i = 0; i < bin_count; ++i) {
+            if (bins_[i].count[0] + bins_[i].count[1] == 0) continue;
+            at = i;
+            left_of_bin = left;
+            const double weight = weight_of(bins_[i]);
+            if (weight > left) break;
+            left -= weight;
+        }
+        return below(at, left_of_bin);
+    }
+
+private:
+    struct Metered {
+        double luminance;
+        bool is_subject;
+    };
     using Pixels = std::vector<Metered>;
-
-    // The sum of many logarithms as that of their products: all luminances are floats.
-    class Logarithms {
-    public:
-        void add(double luminance) {
-            product_ *= luminance;
-            if (++factors_ == 4) take_product();
-        }
-        double sum() {
-            take_product();
-            return sum_;
-        }
-
-    private:
-        void take_product() {
-            sum_ += std::log(product_);
-            product_ = 1.0;
-            factors_ = 0;
-        }
-
-        double sum_ = 0.0;
-        double product_ = 1.0;
-        int factors_ = 0;
+    struct Bin {
+        std::array<std::size_t, 2> count{}; // of others, and of the subject
     };
 
-    static double subjects(Pixels::const_iterator first, Pixels::const_iterator last) {
-        return static_cast<double>(std::count_if(first, last, [](const Metered& pixel) { return pixel.is_subject; }));
-    }
-    double weight(Pixels::const_iterator first, Pixels::const_iterator last) const {
-        const double of_subject = subjects(first, last);
-        return subject_weight_ * of_subject + other_weight_ * (static_cast<double>(last - first) - of_subject);
+    // By the exponent and the first bits of the fraction of a luminance as a float: eight bins for an octave.
+    static constexpr std::size_t bin_count = 2048;
+    static std::size_t bin_of(double luminance) {
+        return std::bit_cast<std::uint32_t>(static_cast<float>(luminance)) >> 20U;
     }
 
-    Pixels pixels_;
+    template<class Work>
+    void for_each(const Work& work) const {
+        const std::vector<float>& values = rgb_nits_.pixels;
+        for (std::size_t i = 0; 3 * i + 2 < values.size(); ++i) {
+            if (!left_out_.empty() && left_out_[i] != 0) continue;
+            const double y =
+                glm::dot(glm::dvec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]), rec709_luminance);
+            if (y > 0.0) work(y, !subject_.empty() && subject_[i] != 0);
+        }
+    }
+
+    double weight_of(const Bin& bin) const {
+        return subject_weight_ * static_cast<double>(bin.count[1]) + other_weight_ * static_cast<double>(bin.count[0]);
+    }
+    double weight_of(Pixels::const_iterator first, Pixels::const_iterator last) const {
+        Bin bin;
+        for (; first != last; ++first)
+            ++bin.count[first->is_subject ? 1 : 0];
+        return weight_of(bin);
+    }
+
+    // The luminance in a bin below which its pixels weigh `left`. Divides them instead of sorting them.
+    double below(std::size_t bin, double left) const {
+        Pixels pixels;
+        pixels.reserve(bins_[bin].count[0] + bins_[bin].count[1]);
+        for_each([&](double luminance, bool is_subject) {
+            if (bin_of(luminance) == bin) pixels.push_back({luminance, is_subject});
+        });
+        auto first = pixels.begin();
+        auto last = pixels.end();
+        while (last - first > 1) {
+            const auto middle = first + (last - first) / 2;
+            std::nth_element(first, middle, last,
+                             [](const Metered& a, const Metered& b) { return a.luminance < b.luminance; });
+            const double lower = weight_of(first, middle);
+            if (lower > left) {
+                last = middle;
+            } else {
+                left -= lower;
+                first = middle;
+            }
+        }
+        return first->luminance;
+    }
+
+    const Image& rgb_nits_;
+    std::span<const std::uint8_t> left_out_, subject_;
+    std::vector<Bin> bins_;
+    double count_ = 0.0;
     double subject_weight_ = 1.0;
     double other_weight_ = 1.0;
-    Pixels::iterator rest_; // all before it are at most as bright, and weigh `left_`
-    double left_ = 0.0;
+    double logarithms_ = 0.0;
 };
 
 } // namespace
@@ -117,16 +170,8 @@ Nits white_luminance(Ev100 ev) {
 
 Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out,
                     std::span<const std::uint8_t> subject) {
-    std::vector<Metered> lit;
-    lit.reserve(rgb_nits.pixels.size() / 3);
-    for (std::size_t i = 0; i + 2 < rgb_nits.pixels.size(); i += 3) {
-        if (!left_out.empty() && left_out[i / 3] != 0) continue;
-        const glm::dvec3 rgb(rgb_nits.pixels[i], rgb_nits.pixels[i + 1], rgb_nits.pixels[i + 2]);
-        const double y = glm::dot(rgb, rec709_luminance);
-        if (y > 0.0) lit.push_back({y, !subject.empty() && subject[i / 3] != 0});
-    }
-    if (lit.empty()) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
-    MeteredPixels pixels(std::move(lit));
+    const MeteredPixels pixels(rgb_nits, left_out, subject);
+    if (!(pixels.count() > 0.0)) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
     constexpr double middle_grey = 0.18;
     const double from_mean = pixels.geometric_mean() / middle_grey;
     const double least = pixels.below_one_in(most_white);

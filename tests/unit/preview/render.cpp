@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/measure/random.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/reference_picture.hpp>
 #include <gonio/preview/render.hpp>
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace gonio {
 namespace {
@@ -177,6 +180,32 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     EXPECT_NEAR(auto_exposure(image).value, std::log2(1000.0 / 1.2), 1e-6);
     EXPECT_EQ(auto_exposure(image, std::vector<std::uint8_t>(100, 1)).value, auto_exposure(image).value);
     EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
+}
+
+// One in 40 where luminances differ much, one in 200 where they are almost the same.
+TEST(Exposure, FindsTheQuantilesOfSortedPixels) {
+    measure::Random random(5);
+    for (const double decades : {0.05, 6.0})
+        for (const std::size_t of_subject : {0U, 700U, 9000U}) {
+            Image image(100, 100, 3);
+            std::vector<std::uint8_t> subject(10'000, 0);
+            std::vector<std::pair<double, double>> sorted; // luminances and weights
+            for (std::size_t i = 0; i < 10'000; ++i) {
+                const auto grey = static_cast<float>(std::pow(10.0, decades * random.uniform(-1.0, 1.0)));
+                std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, grey);
+                subject[i] = i < of_subject ? 1 : 0;
+                const bool is_small = of_subject == 700;
+                const auto rest = static_cast<double>(10'000 - of_subject);
+                sorted.emplace_back(grey, !is_small ? 1.0 : 5000.0 / (i < of_subject ? 700.0 : rest));
+            }
+            std::sort(sorted.begin(), sorted.end());
+            double left = decades > 1.0 ? 9999.0 * 39.0 / 40.0 : 9999.0 * 199.0 / 200.0;
+            std::size_t k = 0;
+            for (; k + 1 < sorted.size() && sorted[k].second <= left; ++k)
+                left -= sorted[k].second;
+            EXPECT_NEAR(white_luminance(auto_exposure(image, {}, subject)).value / sorted[k].first, 1.0, 1e-6)
+                << decades << ' ' << of_subject;
+        }
 }
 
 // A hundred pixels of a subject in a thousand count as much as all others.
