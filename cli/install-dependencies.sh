@@ -16,7 +16,7 @@ set -euo pipefail
 
 packages=(
     g++ cmake ninja-build pkg-config
-    libopenimageio-dev libopencolorio-dev libpng-dev libopenexr-dev libcairo2-dev fonts-dejavu-core
+    libopenimageio-dev libopencolorio-dev libpng-dev libopenexr-dev libdeflate-dev libcairo2-dev fonts-dejavu-core
     libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libpugixml-dev
 )
 test_packages=(libgtest-dev python3-openimageio jq man-db mandoc bash-completion zsh fish)

@@ -50,6 +50,7 @@ class GonioConan(ConanFile):
             self.requires("opencolorio/[>=2.1 <3]")
             self.requires("openexr/[>=3.1 <4]")
             self.requires("libpng/[>=1.6 <2]")
+            self.requires("libdeflate/[>=1.14 <2]")
             self.requires("cairo/[>=1.16 <2]")
             self.requires("freetype/[>=2.12 <3]")
 

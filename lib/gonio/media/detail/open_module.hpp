@@ -24,7 +24,8 @@ struct ModuleName {
 inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_module", abi::image_version,
                                               "OpenImageIO",    "libopenimageio2.4",  4};
 inline constexpr ModuleName writers_module_name{"gonio-writers.so", "gonio_writers_module", abi::image_version,
-                                                "libpng and OpenEXRCore", "libpng16-16 and libopenexr-3-1-30"};
+                                                "libpng, libdeflate and OpenEXRCore",
+                                                "libpng16-16, libdeflate0 and libopenexr-3-1-30"};
 inline constexpr ModuleName color_module_name{"gonio-color.so", "gonio_color_module", abi::color_version, "OpenColorIO",
                                               "libopencolorio2.1"};
 inline constexpr ModuleName pdf_module_name{"gonio-pdf.so", "gonio_pdf_module", abi::pdf_version, "cairo", "libcairo2"};

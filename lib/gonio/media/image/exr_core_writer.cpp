@@ -1,5 +1,6 @@
 #include <gonio/media/image/exr_core_writer.hpp>
 #include <gonio/media/image/exr_names.hpp>
+#include <gonio/media/image/exr_zip.hpp>
 
 #include <algorithm>
 #include <array>
@@ -205,12 +206,26 @@ private:
             channel.encode_from_ptr = reinterpret_cast<const std::uint8_t*>(first + static_cast<std::size_t>(y) * row);
         }
         if (const exr_result_t failed = exr_encoding_choose_default_routines(context_, 0, &encoder)) return failed;
+        if (compression() == EXR_COMPRESSION_ZIP || compression() == EXR_COMPRESSION_ZIPS) {
+            encoder.compress_fn = nullptr; // zlib's, which takes most of the time of a picture
+            encoder.write_fn = zip_chunk;
+        } else {
+            encoder.write_fn = keep_chunk;
+        }
         encoder.encoding_user_data = &chunks_[i];
         encoder.yield_until_ready_fn = nullptr; // it insists on the order of the file
-        encoder.write_fn = keep_chunk;
         return exr_encoding_run(context_, 0, &encoder);
     }
 
+    static exr_result_t zip_chunk(exr_encode_pipeline_t* encoder) noexcept {
+        try {
+            static_cast<Chunk*>(encoder->encoding_user_data)->bytes =
+                exr_zip({static_cast<const std::uint8_t*>(encoder->packed_buffer), encoder->packed_bytes});
+            return EXR_ERR_SUCCESS;
+        } catch (...) {
+            return EXR_ERR_OUT_OF_MEMORY;
+        }
+    }
     static exr_result_t keep_chunk(exr_encode_pipeline_t* encoder) noexcept {
         try {
             // Readers take a chunk that is as long as its pixels for one that is not compressed.

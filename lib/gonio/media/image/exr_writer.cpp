@@ -1,5 +1,6 @@
 #include <gonio/media/image/exr_names.hpp>
 #include <gonio/media/image/exr_writer.hpp>
+#include <gonio/media/image/exr_zip.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <zlib.h>
 
 namespace gonio::media::detail {
 
@@ -92,26 +92,6 @@ std::uint16_t half_of(float value) {
     return static_cast<std::uint16_t>(sign | result);
 }
 
-// ZIP: first the even bytes and then the odd ones, each as its difference from the one before; all that by zlib.
-Bytes zipped(const Bytes& raw) {
-    Bytes parts(raw.size());
-    const std::size_t half = (raw.size() + 1) / 2;
-    for (std::size_t i = 0; i < raw.size(); ++i)
-        parts[i % 2 == 0 ? i / 2 : half + i / 2] = raw[i];
-    unsigned before = parts.empty() ? 0 : parts[0];
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        const unsigned here = parts[i];
-        parts[i] = static_cast<unsigned char>(here - before + 128U);
-        before = here;
-    }
-    uLongf size = compressBound(static_cast<uLong>(parts.size()));
-    Bytes packed(size);
-    if (compress2(packed.data(), &size, parts.data(), static_cast<uLong>(parts.size()), Z_DEFAULT_COMPRESSION) != Z_OK)
-        throw std::runtime_error("zlib failed");
-    packed.resize(size);
-    return packed.size() < raw.size() ? packed : raw; // what does not shrink is stored as it is
-}
-
 } // namespace
 
 std::vector<unsigned char> exr_bytes(const abi::EncodeRequest& request) {
@@ -183,7 +163,7 @@ std::vector<unsigned char> exr_bytes(const abi::EncodeRequest& request) {
                 }
         const std::uint64_t at = file.size();
         std::memcpy(file.data() + table + 8 * static_cast<std::size_t>(block), &at, sizeof at);
-        const Bytes data = zips ? zipped(raw) : raw;
+        const Bytes data = zips ? exr_zip(raw) : raw;
         put(file, first);
         put(file, static_cast<std::int32_t>(data.size()));
         file.insert(file.end(), data.begin(), data.end());

@@ -1,12 +1,20 @@
 #include <gonio/media/image/png_writer.hpp>
+#include <gonio/media/image/zlib_stream.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <png.h>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace gonio::media::detail {
 
@@ -87,6 +95,93 @@ void store(const float* from, std::size_t count, bool wide, std::vector<png_byte
     }
 }
 
+// The bytes of a row less what a filter of PNG expects from the byte of the pixel to the left, the one above and the
+// one above that ("Portable Network Graphics", 9.2).
+struct RowFilter {
+    using Row = std::vector<png_byte>;
+
+    const Row& row;
+    const Row& above;
+    std::size_t pixel; // bytes
+
+    template<class Expected>
+    void apply(Row& to, const Expected& expected) const {
+        for (std::size_t i = 0; i < std::min(pixel, row.size()); ++i)
+            to[i] = static_cast<png_byte>(row[i] - expected(0, above[i], 0));
+        for (std::size_t i = pixel; i < row.size(); ++i)
+            to[i] = static_cast<png_byte>(row[i] - expected(row[i - pixel], above[i], above[i - pixel]));
+    }
+    void apply(std::size_t filter, Row& to) const {
+        switch (filter) {
+        case 0:
+            return apply(to, [](int, int, int) { return 0; });
+        case 1:
+            return apply(to, [](int left, int, int) { return left; });
+        case 2:
+            return apply(to, [](int, int up, int) { return up; });
+        case 3:
+            return apply(to, [](int left, int up, int) { return (left + up) / 2; });
+        default: // Paeth's: the one nearest to left + up - corner
+            return apply(to, [](int left, int up, int corner) {
+                const int from_left = std::abs(up - corner);
+                const int from_up = std::abs(left - corner);
+                const int from_corner = std::abs(left + up - 2 * corner);
+                const int other = from_up <= from_corner ? up : corner;
+                return from_left <= from_up && from_left <= from_corner ? left : other;
+            });
+        }
+    }
+};
+
+// The sum of the sizes of differences, which are bytes with a sign.
+std::uint32_t size_of_differences(const std::vector<png_byte>& differences) {
+    std::uint32_t sum = 0;
+    for (const png_byte each : differences)
+        sum += each < 128 ? each : 256U - each;
+    return sum;
+}
+
+// All rows, each with the number of its filter before it: of the five that whose differences are the smallest.
+std::vector<unsigned char> filtered_rows(const EncodeRequest& request, bool wide) {
+    const auto channels = static_cast<std::size_t>(request.channels);
+    const auto height = static_cast<std::size_t>(request.height);
+    const std::size_t values = static_cast<std::size_t>(request.width) * channels;
+    const std::size_t size = values * (wide ? 2 : 1);
+    std::vector<png_byte> row(size);
+    std::vector<png_byte> above(size); // zeros above the first row
+    std::array<std::vector<png_byte>, 5> candidates;
+    candidates.fill(row);
+    std::vector<unsigned char> all;
+    all.reserve((size + 1) * height);
+    for (std::size_t y = 0; y < height; ++y) {
+        store(request.pixels + y * values, values, wide, row);
+        const RowFilter filter{row, above, channels * (wide ? 2 : 1)};
+        std::size_t best = 0;
+        std::uint32_t least = UINT32_MAX;
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            filter.apply(k, candidates[k]);
+            const std::uint32_t sum = size_of_differences(candidates[k]);
+            if (sum >= least) continue;
+            least = sum;
+            best = k;
+        }
+        all.push_back(static_cast<unsigned char>(best));
+        all.insert(all.end(), candidates[best].begin(), candidates[best].end());
+        std::swap(row, above);
+    }
+    return all;
+}
+
+// libpng's own rows go through zlib.
+void write_pixels(const Writer& writer, std::span<const unsigned char> stream) {
+    constexpr std::size_t most = 1U << 20U; // of a chunk
+    for (std::size_t at = 0; at < stream.size(); at += most) {
+        const auto chunk = stream.subspan(at, std::min(most, stream.size() - at));
+        png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IDAT"), chunk.data(), chunk.size());
+    }
+    png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
+}
+
 } // namespace
 
 std::vector<unsigned char> png_bytes(const EncodeRequest& request) {
@@ -105,13 +200,7 @@ std::vector<unsigned char> png_bytes(const EncodeRequest& request) {
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     set_attributes(writer, request);
     png_write_info(writer.png, writer.info);
-    const std::size_t values = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.channels);
-    std::vector<png_byte> row(values * (wide ? 2 : 1));
-    for (std::int32_t y = 0; y < request.height; ++y) {
-        store(request.pixels + static_cast<std::size_t>(y) * values, values, wide, row);
-        png_write_row(writer.png, row.data());
-    }
-    png_write_end(writer.png, nullptr);
+    write_pixels(writer, zlib_stream(filtered_rows(request, wide)));
     return bytes;
 }
 
