@@ -179,6 +179,21 @@ GONIO_FORCE_INLINE simd::mask_of<S> unlit_side(const RectangleLight<S>& /*light*
     return !(points.patch.strength > S(0));
 }
 
+// Whether a receiver beside a round flat light is so near to its plane that rounding decides on the light's cone.
+template<class S, class Light, class Points>
+GONIO_FORCE_INLINE simd::mask_of<S> edge_on(const Light& /*light*/, const Points& /*points*/) {
+    return S(0) > S(1);
+}
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> edge_on(const DiskLight<S>& /*light*/, const DiskPoints<S>& points) {
+    constexpr double pi = 3.14159265358979323846;
+    constexpr double nearest = 4e-6; // of the radius
+    const S radius2 = dot(points.patch.u, points.patch.u);
+    const vec3<S>& center = points.patch.center;
+    return simd::both(
+        points.patch.strength<S(pi * nearest) * radius2 * simd::sqrt(radius2), dot(center, center)> S(1.001) * radius2);
+}
+
 // The height of a light's centre above the horizon.
 template<class S, class Points, class Light, class Frame>
 GONIO_FORCE_INLINE S center_height(const Points& points, const Light& /*light*/, const Frame& /*frame*/,
@@ -247,8 +262,10 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         S share = cosine.albedo * lobe.albedo_share(v.z);
         auto by_share = detail::surrounded(light, to_center);
         if constexpr (Lobe<S>::is_even && !simd::is_recorded<S>) {
-            // Floats may lose all rows of a cone that is nearly flat, or whose side almost meets the receiver.
-            const auto lost = simd::both(!simd::either(small, dark), !(sums.value > S(0)));
+            // Floats may lose all rows of a cone that is nearly flat, or whose side almost meets the receiver, or place
+            // them elsewhere.
+            const auto lost = simd::both(!simd::either(small, dark),
+                                         simd::either(!(sums.value > S(0)), detail::edge_on<S>(light, points)));
             if (simd::any(lost)) {
                 const S k = detail::ltc_share(cosine, frame, light, to_center, lost) * share;
                 share = simd::select(lost, k, share);

@@ -226,6 +226,21 @@ TEST(LobeRows, ATailWhereTheCosineIsNegativeIsNotDark) {
     EXPECT_NEAR(found, truth, 0.5 * truth);
 }
 
+// From a point that is 6e-8 of the radius in front of a disk's plane, beside the disk: rounding turns its cone.
+TEST(LobeRows, ADiskSeenEdgeOnIsAlmostDark) {
+    using Point = vec3<float>;
+    const Point center{-0x1.4bb9b4p-5F, -0x1.7a2feep-9F, 0x1.9027a8p-7F};
+    const Point normal{-0x1.085c9ap-1F, -0x1.6a323ep-2F, 0x1.8f532ap-1F};
+    const Point view{-0x1.9f9df6p-2F, 0x1.0812b6p-1F, 0x1.824beap-1F};
+    const Point axis{-0x1.ebd51ap-3F, -0x1.900ef8p-2F, -0x1.c6fcccp-1F};
+    for (const bool two_sided : {false, true}) {
+        const DiskLight<float> light{center, {}, axis, 0x1.01aa02p-5F, 0.0F, two_sided};
+        const float value = by_rows(light, center, normal, view, GgxLobe<float>{0x1.6c5f8cp-6F}).scale;
+        EXPECT_GE(value, 0.0F);
+        EXPECT_LT(value, 1e-8F); // its solid angle is 1e-9 sr
+    }
+}
+
 // A rectangle is the sum of its halves as far as the sums are exact: its rows are placed otherwise than theirs.
 TEST(LobeRows, HalvesOfARectangleAddToTheWhole) {
     Random random(31);
