@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -105,7 +104,7 @@ private:
     // By the exponent and the first bits of the fraction of a luminance as a float: eight bins for an octave.
     static constexpr std::size_t bin_count = 2048;
     static std::size_t bin_of(double luminance) {
-        return std::bit_cast<std::uint32_t>(static_cast<float>(luminance)) >> 20U;
+        return __builtin_bit_cast(std::uint32_t, static_cast<float>(luminance)) >> 20U;
     }
 
     template<class Work>
