@@ -158,6 +158,8 @@ private:
     void write_chunks() {
         constexpr std::size_t at_once = 256;
         check(exr_get_scanlines_per_chunk(context_, 0, &lines_));
+        const exr_compression_t kind = compression();
+        is_zip_ = kind == EXR_COMPRESSION_ZIP || kind == EXR_COMPRESSION_ZIPS;
         const auto lines = static_cast<std::size_t>(lines_);
         const std::size_t count = (static_cast<std::size_t>(request_.height) + lines - 1) / lines;
         for (first_ = 0; first_ < count; first_ += at_once) {
@@ -206,7 +208,7 @@ private:
             channel.encode_from_ptr = reinterpret_cast<const std::uint8_t*>(first + static_cast<std::size_t>(y) * row);
         }
         if (const exr_result_t failed = exr_encoding_choose_default_routines(context_, 0, &encoder)) return failed;
-        if (compression() == EXR_COMPRESSION_ZIP || compression() == EXR_COMPRESSION_ZIPS) {
+        if (is_zip_) {
             encoder.compress_fn = nullptr; // zlib's, which takes most of the time of a picture
             encoder.write_fn = zip_chunk;
         } else {
@@ -244,6 +246,7 @@ private:
     Target target_;
     exr_context_t context_ = nullptr;
     std::int32_t lines_ = 1; // of a chunk
+    bool is_zip_ = false;
     std::vector<Chunk> chunks_;
     std::size_t first_ = 0; // the number of the first of them in the file
     exr_chunk_info_t first_info_{};
