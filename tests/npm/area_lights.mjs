@@ -37,7 +37,7 @@ for (const light of [new DiskAreaLight('white', 1000, 0.5), new SphereAreaLight(
 assert.ok(GonioAreaLights.isReady && ShaderChunk.lights_fragment_begin !== chunk && UniformsLib.LTC_HALF_1.image.width === inPackage.table_size);
 assert.ok(!ShaderChunk.lights_physical_pars_fragment.includes('gonio_tube_shade_ggx_ltc('));
 GonioAreaLights.init({ method: 'ltc' });
-assert.ok(ShaderChunk.lights_physical_pars_fragment.includes('gonio_tube_shade_ggx_ltc(') && ShaderChunk.lights_physical_pars_fragment.includes('gonio_weight_5[5]'));
+assert.ok(ShaderChunk.lights_physical_pars_fragment.includes('gonio_tube_shade_ggx_ltc(') && ShaderChunk.lights_physical_pars_fragment.includes('gonio_angle_6[6]'));
 assert.throws(() => GonioAreaLights.init({ method: 'lct' }), /unknown method 'lct'; there are: ltc, ltc-share/);
 GonioAreaLights.dispose();
 assert.ok(ShaderChunk.lights_fragment_begin === chunk && UniformsLib.LTC_HALF_1 === undefined);
