@@ -138,6 +138,49 @@ abi::Attribute text(const char* name, const char* value) {
     return {name, abi::attribute_text, 0, value, nullptr, nullptr};
 }
 
+// Bands in which each of the five filters of a row is the best, and noise.
+TEST_F(WritersModule, FilteredRowsOfPngAreReadBack) {
+    constexpr std::int32_t width = 97;
+    constexpr std::int32_t height = 120;
+    std::mt19937 random(9);
+    for (const std::int32_t pixel : {abi::pixel_uint8, abi::pixel_uint16})
+        for (std::size_t channels = 1; channels <= 4; ++channels) {
+            const double greatest = pixel == abi::pixel_uint8 ? 255.0 : 65535.0;
+            std::vector<float> pixels;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    for (std::size_t c = 0; c < channels; ++c) {
+                        const double ramps[]{0.0,
+                                             x / 96.0,
+                                             y % 20 / 19.0,
+                                             std::fabs(std::sin(0.11 * x + 0.13 * y)),
+                                             (x * 0.5 + 3.0 * (y % 20)) / 110.0,
+                                             static_cast<double>(random()) / 4294967295.0};
+                        const double shade = std::fmod(ramps[y / 20] + 0.07 * static_cast<double>(c), 1.0);
+                        pixels.push_back(static_cast<float>(std::floor(shade * greatest) / greatest));
+                    }
+            const std::vector<const char*> names{"R", "G", "B", "A"};
+            unsigned threads = 1;
+            const abi::EncodeRequest request{"png",
+                                             width,
+                                             height,
+                                             static_cast<std::int32_t>(channels),
+                                             pixels.data(),
+                                             pixel,
+                                             names.data(),
+                                             nullptr,
+                                             0,
+                                             {&threads, run_loop}};
+            const Written written = write(*detail::writers_module().value(), request);
+            ASSERT_EQ(written.status, 0) << written.message;
+            const Result<DecodedImage> read = decode_image(written.bytes);
+            ASSERT_TRUE(read.has_value());
+            ASSERT_EQ(read->image.pixels.size(), pixels.size());
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                ASSERT_EQ(std::lround(read->image.pixels[i] * greatest), std::lround(pixels[i] * greatest)) << i;
+        }
+}
+
 TEST_F(WritersModule, WritesOpenExrAsOpenImageIoDoes) {
     for (const char* const compression : {"", "none", "rle", "zip", "zips", "piz"})
         for (const std::int32_t pixel : {abi::pixel_half, abi::pixel_float})
