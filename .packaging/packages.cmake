@@ -77,10 +77,10 @@ set(CPACK_DEBIAN_MODULES_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_MODULES_PACKAGE_DEPENDS "fonts-dejavu-core")
 set(CPACK_DEBIAN_MODULES_PACKAGE_ENHANCES "gonio, ${library_package}")
 set(CPACK_COMPONENT_MODULES_DESCRIPTION "photometric lights: pictures, display transforms and PDF
-Modules that gonio loads when it writes PNG or OpenEXR (libpng, OpenEXR, libdeflate),
-reads a picture or writes other formats (OpenImageIO), applies a display
-transform or a colour configuration (OpenColorIO), or writes a data sheet
-as PDF (cairo).
+Modules that gonio loads when it writes PNG or OpenEXR (libpng, OpenEXR,
+libdeflate), reads a picture or writes other formats (OpenImageIO), applies
+a display transform or a colour configuration (OpenColorIO), or writes a
+data sheet as PDF (cairo).
 
 gonio works without them where only numbers are wanted.")
 
