@@ -91,7 +91,6 @@ inline void label_sums(Function& f, const core::detail::PointSums<S>& sums, std:
     };
     label("value", sums.value, note);
     label("grazing", sums.grazing);
-    label("by_cosine", sums.by_cosine);
 }
 template<class Points>
 void label_points(Function& f, const Points& points, Vector v) {

@@ -2,6 +2,7 @@
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/specular_truth.hpp>
+#include <gonio/shading/sorted_batch.hpp>
 #include <gonio/shading/specular_ltc.hpp>
 
 #include "../scaled.hpp"
@@ -187,9 +188,8 @@ TEST(LobeRows, RectanglesAboveTheHorizonAreExact) {
         const Vec axis = of(light.axis);
         const Vec across = of(light.width_direction);
         const Vec normal = at(cases.area.normal);
-        const double reach = std::fabs(0.5 * light.width * dot(across, normal)) +
-                             std::fabs(0.5 * light.height * dot(cross(axis, across), normal));
-        if (-dot(at(cases.area.position), normal) <= reach) continue;
+        const RectangleLight<double> rectangle{{}, {}, axis, across, light.width, light.height, 0.0, light.two_sided};
+        if (-dot(at(cases.area.position), normal) <= gonio::shading::detail::reach(rectangle, normal)) continue;
         found.push_back(in_double[i]);
         expected.push_back(truth[i]);
     }

@@ -1,4 +1,5 @@
-// PNG files by libpng, of 8 or 16 bits. Private to media.
+// PNG files of 8 or 16 bits: chunks by libpng, rows filtered here and compressed as a zlib stream (zlib_stream.hpp).
+// Private to media.
 //
 // libpng reports a failure by a function that must not return: it throws, and the frames of libpng are unwound as those
 // of any other code.
@@ -10,7 +11,7 @@
 
 namespace gonio::media::detail {
 
-// Throws std::runtime_error with the words of libpng.
+// Throws std::runtime_error with the words of libpng, or where the stream cannot be made.
 std::vector<unsigned char> png_bytes(const abi::EncodeRequest& request);
 
 } // namespace gonio::media::detail
