@@ -2,6 +2,7 @@
 #include <gonio/base/file.hpp>
 
 #include "interrupt.hpp"
+#include "memory.hpp"
 #include "run_tool.hpp"
 
 #include <csignal>
@@ -9,6 +10,7 @@
 
 int main(int argc, char** argv) {
     gonio::hold_standard_descriptors();
+    gonio::cli::keep_freed_memory();
     gonio::cli::clean_up_after_signals();
     // A file size limit must come back as an error of write(), so that the half-written file can be removed.
     (void)std::signal(SIGXFSZ, SIG_IGN);

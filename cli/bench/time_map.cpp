@@ -133,7 +133,7 @@ Result<TimeMap> of_preview(const TimeMapOptions& options) {
     };
     Result<Rendering> picture = render(stage, one, stage.camera, drawn);
     if (!picture) return pass_on(picture);
-    const Ev100 exposure = auto_exposure(picture->luminance_nt, picture->shows_light);
+    const Ev100 exposure = auto_exposure(picture->luminance_nt, picture->shows_light, {}, drawn.threads);
     Image shown;
     const auto display = [&]() -> Result<void> {
         shown = picture->luminance_nt;

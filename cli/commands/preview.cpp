@@ -217,7 +217,8 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     Result<EncodedPicture> picture = encode_picture(std::move(rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
-    std::vector<OutputFile> files{{request->output, picture->bytes}};
+    std::vector<OutputFile> files;
+    files.push_back({request->output, std::move(picture->bytes)});
     if (!request->export_file.empty()) {
         const Result<void> exported =
             add_export(*request, *lights, white_luminance(picture->exposure), console, diagnostics, files);

@@ -114,7 +114,7 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
         compared.method = method;
         compared.nt = quantity_image(*rendering, PictureQuantity::luminance);
         if (comparison.methods.empty()) {
-            comparison.exposure = request.exposure.of(*rendering);
+            comparison.exposure = request.exposure.of(*rendering, request.render.threads);
             shows_light = rendering->shows_light;
         } else {
             const Image& truth = comparison.methods.front().nt;

@@ -116,7 +116,7 @@ public:
         Result<Rendering> all = render(request_.stage, lights_, request_.stage.camera, options);
         if (!all) return pass_on(all);
         warn_of_ceiling(all->luminance_nt, diagnostics);
-        exposure_ = request_.exposure.of(*all);
+        exposure_ = request_.exposure.of(*all, options.threads);
         layered_.add("", all->luminance_nt);
         if (choice_.illuminance) add_lux("illuminance", all->illuminance_lx, "");
         options.known = all->indirect;

@@ -167,9 +167,9 @@ Result<LookRequest> read_look(const Arguments& arguments, const media::ImageForm
     return request;
 }
 
-Ev100 ExposureRequest::of(const Rendering& rendering) const {
+Ev100 ExposureRequest::of(const Rendering& rendering, unsigned threads) const {
     return mode == ExposureMode::automatic
-               ? auto_exposure(rendering.luminance_nt, rendering.shows_light, rendering.shows_subject)
+               ? auto_exposure(rendering.luminance_nt, rendering.shows_light, rendering.shows_subject, threads)
                : ev;
 }
 

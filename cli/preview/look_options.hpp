@@ -68,7 +68,7 @@ struct ExposureRequest {
     std::optional<Xy> white;  // shown as white; if not automatic
     std::optional<Eye> glare; // in which it is added
 
-    Ev100 of(const Rendering& rendering) const;
+    Ev100 of(const Rendering& rendering, unsigned threads) const;
 };
 
 // "auto", "8ev", "lux:300lx".

@@ -67,7 +67,7 @@ public:
     PictureMaker(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
                  const Console& console)
         : rendering_(std::move(rendering)), request_(request), lights_(lights), console_(console) {
-        picture_.exposure = request.exposure.of(rendering_);
+        picture_.exposure = request.exposure.of(rendering_, request.render.threads);
         if (request.look.look == Look::beauty) return;
         values_ = quantity_image(rendering_, request.look.quantity);
         if (request.look.look == Look::false_color)
@@ -234,9 +234,9 @@ Result<void> show_exposed(std::span<ExposedPicture> pictures, const PreviewReque
 
 void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
     // A surface with an albedo of 1e-9 or more reaches this at the ceiling; the sun's disk has 1.6e9 cd/m².
-    constexpr float suspicious_nt = 1e20F;
+    constexpr Nits suspicious(1e20);
+    if (!reaches(luminance_nt, suspicious)) return;
     const std::vector<float>& pixels = luminance_nt.pixels;
-    if (std::none_of(pixels.begin(), pixels.end(), [](float nt) { return nt >= suspicious_nt; })) return;
     const float greatest =
         *std::max_element(pixels.begin(), pixels.end(), [](float a, float b) { return a < b || std::isnan(a); });
     diagnostics.push_back(result_diagnostic("RES0203",

@@ -91,7 +91,7 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const ProfileShape& size
     Result<ProfileStages::Shown> shown = stages.show(file, std::move(shape), render_options, outcome.diagnostics);
     if (!shown) return pass_on(shown);
     Rendering& rendering = shown->rendering;
-    thumbnail.exposure = request.exposure.of(rendering);
+    thumbnail.exposure = request.exposure.of(rendering, render_options.threads);
     thumbnail.tile.picture = std::move(rendering.luminance_nt);
     expose(thumbnail.tile.picture, thumbnail.exposure);
     return thumbnail;

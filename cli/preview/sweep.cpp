@@ -34,7 +34,7 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
             tile.name = sweep.axes[0].label(sweep.value_of(index, 0));
             tile.facts = {sweep.axes.size() == 2 ? sweep.axes[1].label(sweep.value_of(index, 1))
                                                  : fmt::format("mean {} cd/m²", rounded(mean_nt(cell.rendering), 4))};
-            const Ev100 exposure = cell.request.exposure.of(cell.rendering);
+            const Ev100 exposure = cell.request.exposure.of(cell.rendering, cell.request.render.threads);
             tile.picture = std::move(cell.rendering.luminance_nt);
             if (cell.request.exposure.glare)
                 show_points(tile.picture, cell.request.stage, cell.lights, cell.request.stage.camera);

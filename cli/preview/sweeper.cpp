@@ -210,7 +210,7 @@ Result<void> Sweeper::render_all(int width, int height, const std::function<Resu
         progress.show(index, sweep_.label(index));
         Result<Cell> cell = render_cell(index, width, height);
         if (!cell) return pass_on(cell);
-        const Ev100 exposure = cell->request.exposure.of(cell->rendering);
+        const Ev100 exposure = cell->request.exposure.of(cell->rendering, cell->request.render.threads);
         if (!exposure_changes_ && !shared_exposure_) shared_exposure_ = exposure;
         const bool shared = shared_exposure_ && cell->request.exposure.mode == ExposureMode::automatic;
         if (shared) {

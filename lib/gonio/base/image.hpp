@@ -15,11 +15,7 @@ struct Image {
     std::vector<float> pixels; // width × height × channels
 
     Image() = default;
-    Image(int w, int h, int c)
-        : width(w),
-          height(h),
-          channels(c),
-          pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * static_cast<std::size_t>(c)) {}
+    Image(int w, int h, int c); // all 0
 
     std::size_t index(int column, int row) const {
         return (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)) *

@@ -1,3 +1,4 @@
+#include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/exposure.hpp>
 
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -27,7 +29,7 @@ class Logarithms {
 public:
     void add(double luminance) {
         product_ *= luminance;
-        if (++factors_ == 4) take_product();
+        if (++factors_ == 6) take_product(); // of one more, a denormal number might be lost
     }
     double sum() {
         take_product();
@@ -46,49 +48,65 @@ private:
     int factors_ = 0;
 };
 
-// Lit pixels with weights that add up to their number. A picture is read again for each quantile: a copy of its
-// luminances would take longer to write.
+// Lit pixels with weights that add up to their number. A picture is read again for a quantile: a copy of its luminances
+// would take longer to write.
 class MeteredPixels {
 public:
-    MeteredPixels(const Image& rgb_nits, std::span<const std::uint8_t> left_out, std::span<const std::uint8_t> subject)
-        : rgb_nits_(rgb_nits), left_out_(left_out), subject_(subject), bins_(bin_count) {
-        Logarithms of_subject;
-        Logarithms of_others;
-        for_each([&](double luminance, bool is_subject) {
-            ++bins_[bin_of(luminance)].count[is_subject ? 1 : 0];
-            (is_subject ? of_subject : of_others).add(luminance);
+    MeteredPixels(const Image& rgb_nits, std::span<const std::uint8_t> left_out, std::span<const std::uint8_t> subject,
+                  unsigned threads)
+        : rgb_nits_(rgb_nits),
+          left_out_(left_out),
+          subject_(subject),
+          count_of_pixels_(rgb_nits.pixels.size() / 3),
+          threads_(threads),
+          bins_(bin_count) {
+        struct Sums {
+            std::vector<Bin> bins;
+            Logarithms of_subject, of_others;
+        };
+        std::vector<Sums> of_pieces(pieces());
+        parallel_for(pieces(), threads_, [&](std::size_t piece) {
+            Sums sums;
+            sums.bins.resize(bin_count);
+            for_each(piece, [&](double luminance, bool is_subject) {
+                ++sums.bins[bin_of(luminance)].count[is_subject ? 1 : 0];
+                (is_subject ? sums.of_subject : sums.of_others).add(luminance);
+            });
+            of_pieces[piece] = std::move(sums);
         });
+        double of_subject = 0.0;
+        double of_others = 0.0;
         Bin all;
-        for (const Bin& bin : bins_)
-            for (std::size_t k = 0; k < 2; ++k)
-                all.count[k] += bin.count[k];
+        for (Sums& sums : of_pieces) {
+            of_subject += sums.of_subject.sum();
+            of_others += sums.of_others.sum();
+            for (std::size_t i = 0; i < bin_count; ++i)
+                for (std::size_t k = 0; k < 2; ++k) {
+                    bins_[i].count[k] += sums.bins[i].count[k];
+                    all.count[k] += sums.bins[i].count[k];
+                }
+        }
         const auto subjects = static_cast<double>(all.count[1]);
         count_ = static_cast<double>(all.count[0]) + subjects;
         if (subjects > 0.0 && subjects < least_share_of_subject * count_) {
             subject_weight_ = least_share_of_subject * count_ / subjects;
             other_weight_ = (1.0 - least_share_of_subject) * count_ / (count_ - subjects);
         }
-        logarithms_ = subject_weight_ * of_subject.sum() + other_weight_ * of_others.sum();
+        logarithms_ = subject_weight_ * of_subject + other_weight_ * of_others;
     }
 
     // The rest is for pictures with lit pixels.
     double count() const { return count_; }
     double geometric_mean() const { return std::exp(logarithms_ / count_); }
 
-    // The luminance that one in `share` of the weight is above.
-    double below_one_in(double share) const {
-        double left = (count_ - 1.0) * (share - 1.0) / share; // the weight of what is below
-        std::size_t at = 0;
-        double left_of_bin = left;
-        for (std::size_t i = 0; i < bin_count; ++i) {
-            if (bins_[i].count[0] + bins_[i].count[1] == 0) continue;
-            at = i;
-            left_of_bin = left;
-            const double weight = weight_of(bins_[i]);
-            if (weight > left) break;
-            left -= weight;
-        }
-        return below(at, left_of_bin);
+    // The luminance, but at least and at most those that one in so many of the weight is above.
+    double between_one_in(double least_share, double most_share, double luminance) const {
+        const Quantile least = quantile(least_share);
+        const Quantile most = quantile(most_share);
+        const std::size_t bin = bin_of(luminance);
+        if (bin >= most.bin) luminance = std::min(luminance, below(most));
+        if (bin <= least.bin) luminance = std::max(luminance, below(least));
+        return luminance;
     }
 
 private:
@@ -100,6 +118,11 @@ private:
     struct Bin {
         std::array<std::size_t, 2> count{}; // of others, and of the subject
     };
+    // A luminance in a bin below which its pixels weigh `left`.
+    struct Quantile {
+        std::size_t bin = 0;
+        double left = 0.0;
+    };
 
     // By the exponent and the first bits of the fraction of a luminance as a float: eight bins for an octave.
     static constexpr std::size_t bin_count = 2048;
@@ -107,10 +130,16 @@ private:
         return __builtin_bit_cast(std::uint32_t, static_cast<float>(luminance)) >> 20U;
     }
 
+    // The same ones at any number of threads.
+    static constexpr std::size_t piece_size = 1 << 16;
+    std::size_t pieces() const { return (count_of_pixels_ + piece_size - 1) / piece_size; }
+
+    // work(luminance, whether it is of the subject)
     template<class Work>
-    void for_each(const Work& work) const {
-        const std::vector<float>& values = rgb_nits_.pixels;
-        for (std::size_t i = 0; 3 * i + 2 < values.size(); ++i) {
+    void for_each(std::size_t piece, const Work& work) const {
+        const float* const values = rgb_nits_.pixels.data();
+        const std::size_t end = std::min((piece + 1) * piece_size, count_of_pixels_);
+        for (std::size_t i = piece * piece_size; i < end; ++i) {
             if (!left_out_.empty() && left_out_[i] != 0) continue;
             const double y =
                 glm::dot(glm::dvec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]), rec709_luminance);
@@ -128,13 +157,34 @@ private:
         return weight_of(bin);
     }
 
-    // The luminance in a bin below which its pixels weigh `left`. Divides them instead of sorting them.
-    double below(std::size_t bin, double left) const {
-        Pixels pixels;
-        pixels.reserve(bins_[bin].count[0] + bins_[bin].count[1]);
-        for_each([&](double luminance, bool is_subject) {
-            if (bin_of(luminance) == bin) pixels.push_back({luminance, is_subject});
+    // That one in `share` of the weight is above.
+    Quantile quantile(double share) const {
+        double left = (count_ - 1.0) * (share - 1.0) / share; // the weight of what is below
+        Quantile found;
+        for (std::size_t i = 0; i < bin_count; ++i) {
+            if (bins_[i].count[0] + bins_[i].count[1] == 0) continue;
+            found = {i, left};
+            const double weight = weight_of(bins_[i]);
+            if (weight > left) break;
+            left -= weight;
+        }
+        return found;
+    }
+
+    // Divides the pixels of the bin instead of sorting them.
+    double below(const Quantile& quantile) const {
+        std::vector<Pixels> of_pieces(pieces());
+        parallel_for(pieces(), threads_, [&](std::size_t piece) {
+            Pixels in_bin;
+            for_each(piece, [&](double luminance, bool is_subject) {
+                if (bin_of(luminance) == quantile.bin) in_bin.push_back({luminance, is_subject});
+            });
+            of_pieces[piece] = std::move(in_bin);
         });
+        Pixels pixels;
+        for (const Pixels& of_piece : of_pieces)
+            pixels.insert(pixels.end(), of_piece.begin(), of_piece.end());
+        double left = quantile.left;
         auto first = pixels.begin();
         auto last = pixels.end();
         while (last - first > 1) {
@@ -154,6 +204,8 @@ private:
 
     const Image& rgb_nits_;
     std::span<const std::uint8_t> left_out_, subject_;
+    std::size_t count_of_pixels_;
+    unsigned threads_;
     std::vector<Bin> bins_;
     double count_ = 0.0;
     double subject_weight_ = 1.0;
@@ -168,14 +220,12 @@ Nits white_luminance(Ev100 ev) {
 }
 
 Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out,
-                    std::span<const std::uint8_t> subject) {
-    const MeteredPixels pixels(rgb_nits, left_out, subject);
-    if (!(pixels.count() > 0.0)) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
+                    std::span<const std::uint8_t> subject, unsigned threads) {
+    const MeteredPixels pixels(rgb_nits, left_out, subject, threads);
+    if (!(pixels.count() > 0.0)) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits, {}, {}, threads);
     constexpr double middle_grey = 0.18;
-    const double from_mean = pixels.geometric_mean() / middle_grey;
-    const double least = pixels.below_one_in(most_white);
-    const double most = pixels.below_one_in(least_white);
-    return Ev100(std::log2(std::clamp(from_mean, least, most) / 1.2));
+    const double white = pixels.between_one_in(most_white, least_white, pixels.geometric_mean() / middle_grey);
+    return Ev100(std::log2(white / 1.2));
 }
 
 Ev100 exposure_of_card(Lux on_card) {
@@ -184,6 +234,14 @@ Ev100 exposure_of_card(Lux on_card) {
 
 Lux card_illuminance(Ev100 ev) {
     return Lux(std::numbers::pi * white_luminance(ev).value);
+}
+
+bool reaches(const Image& rgb_nits, Nits nits) {
+    const auto least = static_cast<float>(nits.value);
+    std::size_t count = 0; // not looked for, so that it runs in packs
+    for (const float value : rgb_nits.pixels)
+        count += value >= least ? 1 : 0;
+    return count > 0;
 }
 
 void expose(Image& image, Ev100 ev) {

@@ -20,9 +20,10 @@ Nits white_luminance(Ev100 ev);
 // for which `subject` is not 0 have at least half of the weight in all of this, as the middle of the picture has in
 // centre-weighted cameras: a hot spot on a ceiling does not darken what is shown below it. Pixels for which `left_out`
 // is not 0 do not count, unless no other pixel is lit; they are lights that are visible themselves. Both are empty or
-// have one value for each pixel. 0 for a picture without light.
+// have one value for each pixel. 0 for a picture without light. `threads` as in parallel_for(); the result does not
+// depend on it.
 Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out = {},
-                    std::span<const std::uint8_t> subject = {});
+                    std::span<const std::uint8_t> subject = {}, unsigned threads = 1);
 
 // The exposure at which a matte 18 % card with this illuminance is middle grey, 0.18 of the display's white; a white
 // card, of luminance E/π, is then white. An incident-light meter gives another value: by ISO 2720, EV = log2(E/2.5) (C
@@ -31,6 +32,9 @@ Ev100 exposure_of_card(Lux on_card);
 
 // The illuminance of the card for an exposure: the inverse of exposure_of_card.
 Lux card_illuminance(Ev100 ev);
+
+// Whether a channel of any pixel is as high as this. False for what is not a number.
+bool reaches(const Image& rgb_nits, Nits nits);
 
 // Divides every channel by white_luminance(ev).
 void expose(Image& image, Ev100 ev);

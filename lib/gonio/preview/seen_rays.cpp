@@ -51,6 +51,44 @@ glm::dvec3 SeenRays::normal_of(std::size_t i) const {
     return box != nullptr ? face(*box, face_of(i)).frame.z : normal_at(met, position_of(i));
 }
 
+void SeenRays::put_positions(std::size_t first, std::size_t count, const glm::dvec3& anchor,
+                             const std::array<float*, 3>& to) const {
+    const std::array axes{rays_.x.data() + first, rays_.y.data() + first, rays_.z.data() + first};
+    const double* const distance = first_.distance.data() + first;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double from = rays_.origin[static_cast<int>(axis)];
+        const double less = anchor[static_cast<int>(axis)];
+        const double* const along = axes[axis];
+        float* const numbers = to[axis];
+        for (std::size_t i = 0; i < count; ++i)
+            numbers[i] = static_cast<float>(from + distance[i] * along[i] - less);
+    }
+}
+
+void SeenRays::put_views(std::size_t first, std::size_t count, const std::array<float*, 3>& to) const {
+    const std::array axes{rays_.x.data() + first, rays_.y.data() + first, rays_.z.data() + first};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double* const along = axes[axis];
+        float* const numbers = to[axis];
+        for (std::size_t i = 0; i < count; ++i)
+            numbers[i] = static_cast<float>(-along[i]);
+    }
+}
+
+void SeenRays::put_changes(std::size_t first, std::size_t count, std::size_t stride, std::uint8_t* to) const {
+    const auto differ = [&](const auto& values, std::size_t i) {
+        const auto here = values[i];
+        return (here != values[i - 1]) | (here != values[i + 1]) | (here != values[i - stride]) |
+               (here != values[i + stride]);
+    };
+    const std::uint8_t* const kind = kind_.data() + first;
+    const std::uint32_t* const number = first_.number.data() + first;
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] = differ(kind, i) ? 1 : 0;
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] = static_cast<std::uint8_t>(to[i] | (differ(number, i) ? 1 : 0));
+}
+
 Seen SeenRays::at(std::size_t i) const {
     Seen seen;
     seen.view = view_of(i);

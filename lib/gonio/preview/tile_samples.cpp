@@ -74,15 +74,15 @@ void TileSamples::look_through_centers() {
 
 void TileSamples::find_outlines() {
     const auto stride = static_cast<std::size_t>(stride_);
-    for (std::ptrdiff_t y = 1; y <= bottom_ - top_; ++y)
-        for (std::ptrdiff_t x = 1; x <= right_ - left_; ++x) {
-            const auto at = static_cast<std::size_t>(y * stride_ + x);
-            // An image may have outlines of its own within the pixel.
-            const bool shows_image = centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr;
-            const bool is_inside = centers_.show_the_same(at, at - 1) && centers_.show_the_same(at, at + 1) &&
-                                   centers_.show_the_same(at, at - stride) && centers_.show_the_same(at, at + stride);
-            on_outline_[at] = is_inside && !shows_image ? 0 : 1;
-        }
+    const auto rows = static_cast<std::size_t>(bottom_ - top_);
+    for (std::size_t row = 1; row <= rows; ++row) {
+        const std::size_t first = row * stride + 1;
+        centers_.put_changes(first, stride - 2, stride, on_outline_.data() + first);
+        if (seen_lights_.empty()) continue;
+        // An image may have outlines of its own within the pixel.
+        for (std::size_t at = first; at < first + stride - 2; ++at)
+            if (centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr) on_outline_[at] = 1;
+    }
 }
 
 std::uint32_t TileSamples::pixel_of(std::size_t center) const {
@@ -138,46 +138,69 @@ SurfaceSamples& TileSamples::samples_of(std::size_t surface) {
     return made;
 }
 
-void TileSamples::add_row(std::size_t first, std::size_t last) {
-    const std::uint32_t pixel = pixel_of(first);
+void TileSamples::add_block(std::size_t first, std::size_t columns, std::size_t rows) {
+    const auto stride = static_cast<std::size_t>(stride_);
     if (!centers_.is_surface(first) || !scene_.emitted.empty()) {
-        for (std::size_t i = first; i < last; ++i)
-            add(centers_.at(i), pixel + static_cast<std::uint32_t>(i - first), 1.0, static_cast<std::int32_t>(i));
+        for (std::size_t row = first; row < first + rows * stride; row += stride)
+            for (std::size_t i = row; i < row + columns; ++i)
+                add(centers_.at(i), pixel_of(i), 1.0, static_cast<std::int32_t>(i));
         return;
     }
     SurfaceSamples& samples = samples_of(centers_.surface_of(first));
     const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
+    std::size_t to = samples.add_pixels(centers_.position_of(first),
+                                        {pixel_of(first), static_cast<std::int32_t>(first), columns, rows,
+                                         static_cast<std::uint32_t>(scene_.width), static_cast<std::int32_t>(stride_)});
+    const auto from = [&](std::array<std::vector<float>, 3>& arrays) {
+        return std::array{arrays[0].data() + to, arrays[1].data() + to, arrays[2].data() + to};
+    };
     const bool is_flat = is_sheet(geometry) || std::holds_alternative<Box>(geometry);
-    glm::dvec3 normal = centers_.normal_of(first);
-    std::size_t to =
-        samples.add_pixels(centers_.position_of(first), pixel, static_cast<std::int32_t>(first), last - first);
-    for (std::size_t i = first; i < last; ++i, ++to) {
-        if (!is_flat) normal = centers_.normal_of(i);
-        samples.set(to, {centers_.position_of(i), normal, centers_.view_of(i)});
+    const glm::vec3 normal(is_flat ? centers_.normal_of(first) : glm::dvec3(0.0));
+    for (std::size_t row = first; row < first + rows * stride; row += stride, to += columns) {
+        centers_.put_positions(row, columns, samples.anchor, from(samples.position));
+        centers_.put_views(row, columns, from(samples.view));
+        for (std::size_t i = 0; i < columns; ++i) {
+            const glm::vec3 at = is_flat ? normal : glm::vec3(centers_.normal_of(row + i));
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                samples.normal[axis][to + i] = at[static_cast<int>(axis)];
+        }
     }
 }
 
+void TileSamples::add_rows_with_outlines(std::size_t first, std::size_t columns, std::size_t rows) {
+    const auto stride = static_cast<std::size_t>(stride_);
+    for (std::size_t row = first; row < first + rows * stride; row += stride)
+        for (std::size_t center = row; center < row + columns;) {
+            if (on_outline(center)) {
+                for (const Seen& seen : fine(center))
+                    add(seen, pixel_of(center), 1.0 / (edge_samples * edge_samples), -1);
+                ++center;
+                continue;
+            }
+            const std::size_t begin = center;
+            while (center < row + columns && !on_outline(center))
+                ++center;
+            add_block(begin, center - begin, 1);
+        }
+}
+
 void TileSamples::collect() {
+    const auto stride = static_cast<std::size_t>(stride_);
     for (int block_y = top_; block_y < bottom_; block_y += block_size)
         for (int block_x = left_; block_x < right_; block_x += block_size) {
-            const int block_right = std::min(block_x + block_size, right_);
-            for (int y = block_y; y < std::min(block_y + block_size, bottom_); ++y) {
-                const auto row = static_cast<std::size_t>((y - top_ + 1) * stride_ + 1 - left_);
-                const std::size_t end = row + static_cast<std::size_t>(block_right);
-                for (std::size_t center = row + static_cast<std::size_t>(block_x); center < end;) {
-                    if (on_outline(center)) {
-                        for (const Seen& seen : fine(center))
-                            add(seen, pixel_of(center), 1.0 / (edge_samples * edge_samples), -1);
-                        ++center;
-                        continue;
-                    }
-                    // Beside each other without an outline between them, they show the same.
-                    const std::size_t first = center;
-                    while (center < end && !on_outline(center))
-                        ++center;
-                    add_row(first, center);
-                }
-            }
+            const auto columns = static_cast<std::size_t>(std::min(block_size, right_ - block_x));
+            const auto rows = static_cast<std::size_t>(std::min(block_size, bottom_ - block_y));
+            const std::size_t first =
+                static_cast<std::size_t>(block_y - top_ + 1) * stride + static_cast<std::size_t>(block_x - left_ + 1);
+            unsigned outlines = 0;
+            for (std::size_t row = first; row < first + rows * stride; row += stride)
+                for (std::size_t i = row; i < row + columns; ++i)
+                    outlines += on_outline_[i];
+            // Beside each other without an outline between them, pixels show the same.
+            if (outlines == 0)
+                add_block(first, columns, rows);
+            else
+                add_rows_with_outlines(first, columns, rows);
             for (SurfaceSamples& samples : surfaces_)
                 samples.finish_chunk();
         }

@@ -4,9 +4,49 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace gonio::detail {
+
+namespace {
+
+// Several numbers side by side: the compiler makes registers of them, but not of one minimum.
+constexpr std::size_t lanes = 8;
+
+struct Extent {
+    float least;
+    float greatest;
+};
+
+Extent extent_of(std::span<const float> values) {
+    std::array<float, lanes> least;
+    std::array<float, lanes> greatest;
+    least.fill(values[0]);
+    greatest.fill(values[0]);
+    const auto take = [&](std::size_t lane, float value) {
+        least[lane] = value < least[lane] ? value : least[lane];
+        greatest[lane] = value > greatest[lane] ? value : greatest[lane];
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            take(lane, values[i + lane]);
+    for (; i < values.size(); ++i)
+        take(0, values[i]);
+    return {*std::min_element(least.begin(), least.end()), *std::max_element(greatest.begin(), greatest.end())};
+}
+
+bool are_equal(std::span<const float> values) {
+    unsigned different = 0; // counted, not looked for, so that it runs in packs
+    for (const float value : values)
+        different += value == values[0] ? 0U : 1U;
+    return different == 0;
+}
+
+} // namespace
 
 void BoundsBuilder::add(const glm::dvec3& point, const glm::dvec3& normal) {
     if (empty_) {
@@ -44,11 +84,8 @@ void BoundsBuilder::add(const glm::dvec3& anchor, const std::array<std::span<con
     const std::size_t count = points[0].size();
     const auto point = [&](std::size_t i) { return anchor + glm::dvec3(points[0][i], points[1][i], points[2][i]); };
     const auto normal = [&](std::size_t i) { return glm::dvec3(normals[0][i], normals[1][i], normals[2][i]); };
-    const bool are_equal = std::all_of(normals.begin(), normals.end(), [](std::span<const float> axis) {
-        return std::all_of(axis.begin(), axis.end(), [&](float n) { return n == axis[0]; });
-    });
     add(point(0), normal(0));
-    if (!are_equal) {
+    if (!std::all_of(normals.begin(), normals.end(), are_equal)) {
         for (std::size_t i = 1; i < count; ++i)
             add(point(i), normal(i));
         return;
@@ -57,19 +94,25 @@ void BoundsBuilder::add(const glm::dvec3& anchor, const std::array<std::span<con
     glm::dvec3 low(0.0);
     glm::dvec3 high(0.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        float least = points[axis][0];
-        float greatest = least;
-        for (const float at : points[axis]) {
-            least = at < least ? at : least;
-            greatest = at > greatest ? at : greatest;
-        }
-        low[static_cast<int>(axis)] = least;
-        high[static_cast<int>(axis)] = greatest;
+        const Extent extent = extent_of(points[axis]);
+        low[static_cast<int>(axis)] = extent.least;
+        high[static_cast<int>(axis)] = extent.greatest;
     }
     low_ = glm::min(low_, anchor + low);
     high_ = glm::max(high_, anchor + high);
-    for (std::size_t i = 1; i < count; ++i)
-        least_height_ = std::min(least_height_, glm::dot(first_normal_, point(i)));
+    std::array<double, lanes> height;
+    height.fill(least_height_);
+    const auto take_height = [&](std::size_t lane, std::size_t i) {
+        const double at = glm::dot(first_normal_, point(i));
+        height[lane] = at < height[lane] ? at : height[lane];
+    };
+    std::size_t i = 1;
+    for (; i + lanes <= count; i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            take_height(lane, i + lane);
+    for (; i < count; ++i)
+        take_height(0, i);
+    least_height_ = *std::min_element(height.begin(), height.end());
     if (normal(0) == first_normal_) return;
     flat_ = false;
     normal_low_ = glm::min(normal_low_, normal(0));

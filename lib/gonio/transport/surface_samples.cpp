@@ -28,20 +28,25 @@ void SurfaceSamples::add(const SurfacePoint& point, std::uint32_t of_pixel, doub
     center.push_back(of_center);
 }
 
-std::size_t SurfaceSamples::add_pixels(const glm::dvec3& first_position, std::uint32_t first_pixel,
-                                       std::int32_t first_center, std::size_t count) {
+std::size_t SurfaceSamples::add_pixels(const glm::dvec3& first_position, const PixelBlock& block) {
     const std::size_t first = size();
     if (first == 0) anchor = first_position;
-    const std::size_t all = first + count;
+    const std::size_t all = first + block.columns * block.rows;
     for (auto* arrays : {&position, &normal, &view})
         for (std::vector<float>& array : *arrays)
             array.resize(all);
     share.resize(all, 1.0F);
     pixel.resize(all);
     center.resize(all);
-    for (std::size_t i = 0; i < count; ++i) {
-        pixel[first + i] = first_pixel + static_cast<std::uint32_t>(i);
-        center[first + i] = first_center < 0 ? first_center : first_center + static_cast<std::int32_t>(i);
+    for (std::size_t row = 0; row < block.rows; ++row) {
+        std::uint32_t* const pixels = pixel.data() + first + row * block.columns;
+        std::int32_t* const centers = center.data() + first + row * block.columns;
+        const std::uint32_t first_pixel = block.first_pixel + static_cast<std::uint32_t>(row) * block.pixels_of_row;
+        const std::int32_t first_center = block.first_center + static_cast<std::int32_t>(row) * block.centers_of_row;
+        for (std::size_t i = 0; i < block.columns; ++i) {
+            pixels[i] = first_pixel + static_cast<std::uint32_t>(i);
+            centers[i] = first_center + static_cast<std::int32_t>(i);
+        }
     }
     return first;
 }

@@ -45,19 +45,18 @@ struct SurfaceSamples {
     glm::dvec3 view_of(std::size_t i) const { return {view[0][i], view[1][i], view[2][i]}; }
     void reserve(std::size_t count);
     void add(const SurfacePoint& point, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center);
-    // Adds pixels beside each other whose points set() gives, at consecutive centres, and returns the index of the
-    // first; its position is the anchor if there is none yet.
-    std::size_t add_pixels(const glm::dvec3& first_position, std::uint32_t first_pixel, std::int32_t first_center,
-                           std::size_t count);
-    void set(std::size_t i, const SurfacePoint& point) {
-        const glm::dvec3 at = point.position - anchor;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto a = static_cast<std::size_t>(axis);
-            position[a][i] = static_cast<float>(at[axis]);
-            normal[a][i] = static_cast<float>(point.normal[axis]);
-            view[a][i] = static_cast<float>(point.view[axis]);
-        }
-    }
+    // Whole pixels, a rectangle of a picture and of a tile's centres.
+    struct PixelBlock {
+        std::uint32_t first_pixel;
+        std::int32_t first_center;
+        std::size_t columns;
+        std::size_t rows;
+        std::uint32_t pixels_of_row;  // of the picture
+        std::int32_t centers_of_row; // of the tile
+    };
+    // Adds pixels, row by row, whose positions, normals and views the caller sets, and returns the index of the first.
+    // Its position is the anchor if there is none yet.
+    std::size_t add_pixels(const glm::dvec3& first_position, const PixelBlock& block);
     // Makes a chunk of the points added since the last one.
     void finish_chunk();
 };

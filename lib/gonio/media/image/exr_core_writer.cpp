@@ -170,12 +170,22 @@ private:
             };
             if (!request_.parallel.run(request_.parallel.loop, chunks_.size(), compress, this))
                 throw std::runtime_error("stopped");
+            reserve();
             for (std::size_t i = 0; i < chunks_.size(); ++i) {
                 check(chunks_[i].result);
                 check(exr_write_scanline_chunk(context_, 0, line_of(i), chunks_[i].bytes.data(),
                                                chunks_[i].bytes.size()));
             }
         }
+    }
+
+    // What grows by the chunk is copied each time.
+    void reserve() {
+        constexpr std::size_t of_chunk = 64; // more than its place and size take
+        std::size_t size = target_.bytes.size();
+        for (const Chunk& chunk : chunks_)
+            size += chunk.bytes.size() + of_chunk;
+        target_.bytes.reserve(size);
     }
 
     std::int32_t line_of(std::size_t chunk) const { return static_cast<std::int32_t>(first_ + chunk) * lines_; }

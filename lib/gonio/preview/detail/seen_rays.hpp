@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -59,6 +60,12 @@ public:
     glm::dvec3 view_of(std::size_t i) const { return -rays_.at(i).direction; }
     glm::dvec3 position_of(std::size_t i) const { return rays_.origin + first_.distance[i] * rays_.at(i).direction; }
     glm::dvec3 normal_of(std::size_t i) const;
+    // Of the rays [first, first + count), by axis: their positions less the anchor, and the views.
+    void put_positions(std::size_t first, std::size_t count, const glm::dvec3& anchor,
+                       const std::array<float*, 3>& to) const;
+    void put_views(std::size_t first, std::size_t count, const std::array<float*, 3>& to) const;
+    // 1 for those of these rays that show something else than the one before, after, `stride` before or after, else 0.
+    void put_changes(std::size_t first, std::size_t count, std::size_t stride, std::uint8_t* to) const;
     Seen at(std::size_t i) const;
 
 private:

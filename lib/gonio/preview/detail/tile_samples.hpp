@@ -69,8 +69,9 @@ private:
     void find_outlines();
     void collect();
     SurfaceSamples& samples_of(std::size_t surface);
-    // The centres [first, last) as whole pixels, which all show the same.
-    void add_row(std::size_t first, std::size_t last);
+    // The centres of a rectangle as whole pixels, which all show the same.
+    void add_block(std::size_t first, std::size_t columns, std::size_t rows);
+    void add_rows_with_outlines(std::size_t first, std::size_t columns, std::size_t rows);
     void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center);
     void bound_surfaces();
 
