@@ -8,12 +8,14 @@
 #include <gonio/shading/specular_in_double.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/shading/specular_tables.hpp>
+#include <gonio/shading/with_specular_method.hpp>
 
 #include <cstddef>
 
 namespace gonio::shading::detail {
 
-// A lobe whose kind is known at run time alone, for kernels that are to be small.
+// A lobe whose kind is known at run time alone: for methods that are there to be compared with, and for kernels that are to
+// be small.
 template<class S>
 struct AnyLobe {
     static constexpr bool is_even = true;
@@ -108,47 +110,40 @@ void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_co
                                                                          grazing);
 }
 
-// With GONIO_STANDARD_METHODS, where nobody can choose a method, none is compiled but the standard one: others give no
-// number.
+// With GONIO_STANDARD_METHODS, where nobody can choose a method, others than the standard one give no number.
 template<class S, class Light, class Lobe>
 void specular_light(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                     float* scale, float* grazing) {
-#ifdef GONIO_STANDARD_METHODS
-    if (method == SpecularMethod::ltc) return specular_ltc_batch<S, Light>(surfaces, light, lobe, scale, grazing);
-    for (std::size_t i = 0; i < surfaces.count; ++i)
+    const bool is_known = with_specular_method(method, [&]<SpecularMethod named>() {
+        if constexpr (named == SpecularMethod::ltc) {
+            specular_ltc_batch<S, Light>(surfaces, light, lobe, scale, grazing);
+        } else {
+            specular_batch<S, Light, AnyLobe<S>, named>(surfaces, light, AnyLobe<S>(lobe), scale, grazing);
+        }
+        return true;
+    });
+    for (std::size_t i = 0; i < surfaces.count && !is_known; ++i)
         scale[i] = grazing[i] = __builtin_nanf("");
-#else
-    switch (method) {
-    case SpecularMethod::ltc:
-        return specular_ltc_batch<S, Light>(surfaces, light, lobe, scale, grazing);
-    case SpecularMethod::representative_point:
-        return specular_batch<S, Light, Lobe, SpecularMethod::representative_point>(surfaces, light, lobe, scale,
-                                                                                    grazing);
-    case SpecularMethod::dominant_direction:
-        return specular_batch<S, Light, Lobe, SpecularMethod::dominant_direction>(surfaces, light, lobe, scale,
-                                                                                  grazing);
-    case SpecularMethod::specular_d:
-        return specular_batch<S, Light, Lobe, SpecularMethod::specular_d>(surfaces, light, lobe, scale, grazing);
-    case SpecularMethod::spherical_hack:
-        return specular_batch<S, Light, Lobe, SpecularMethod::spherical_hack>(surfaces, light, lobe, scale, grazing);
-    case SpecularMethod::sun_disk:
-        return specular_batch<S, Light, Lobe, SpecularMethod::sun_disk>(surfaces, light, lobe, scale, grazing);
+}
+
+// work(OfKind<Light>{}) for a light that has highlights; the others have none.
+template<class Work>
+void with_highlights(const Surfaces& surfaces, const LightConstants& light, float* scale, float* grazing,
+                     const Work& work) {
+    if (light.kind == LightConstants::Kind::sun) return work(OfKind<SunLight>{});
+    for (std::size_t i = 0; light.kind == LightConstants::Kind::punctual && i < surfaces.count; ++i) {
+        scale[i] = 0.0F;
+        grazing[i] = 0.0F;
     }
-#endif
+    with_area_light(light.kind, work);
 }
 
 template<class S, class Lobe>
 void specular_lobe(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                    float* scale, float* grazing) {
-    const auto of = [&]<template<class> class Light>(OfKind<Light>) {
+    with_highlights(surfaces, light, scale, grazing, [&]<template<class> class Light>(OfKind<Light>) {
         specular_light<S, Light<S>>(surfaces, light, lobe, method, scale, grazing);
-    };
-    if (light.kind == LightConstants::Kind::sun) return of(OfKind<SunLight>{});
-    for (std::size_t i = 0; light.kind == LightConstants::Kind::punctual && i < surfaces.count; ++i) {
-        scale[i] = 0.0F;
-        grazing[i] = 0.0F;
-    }
-    with_area_light(light.kind, of);
+    });
 }
 
 template<class S>
@@ -167,21 +162,18 @@ void specular_power_any(const Surfaces& surfaces, const LightConstants& light, f
     specular_lobe<S>(surfaces, light, lobe, method, scale, grazing);
 }
 
-#ifdef GONIO_SMALL_KERNELS
-// In double, by the code of probes.
+// What is there to be compared with, and all of small kernels, in double, by the code of probes.
 template<class S>
 void specular_anisotropic_any(const Surfaces& surfaces, const LightConstants& light,
                               const AnisotropicLobeConstants& constants, SpecularMethod method, float* scale,
                               float* grazing) {
+#ifndef GONIO_SMALL_KERNELS
+    if (method == SpecularMethod::ltc)
+        return with_highlights(surfaces, light, scale, grazing, [&]<template<class> class Light>(OfKind<Light>) {
+            specular_ltc_batch<S, Light<S>>(surfaces, light, lobe_of<S>(constants), scale, grazing);
+        });
+#endif
     specular_in_double(surfaces, light, constants, method, scale, grazing);
 }
-#else
-template<class S>
-void specular_anisotropic_any(const Surfaces& surfaces, const LightConstants& light,
-                              const AnisotropicLobeConstants& constants, SpecularMethod method, float* scale,
-                              float* grazing) {
-    specular_lobe<S>(surfaces, light, lobe_of<S>(constants), method, scale, grazing);
-}
-#endif
 
 } // namespace gonio::shading::detail
