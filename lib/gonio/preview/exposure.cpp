@@ -238,10 +238,10 @@ Lux card_illuminance(Ev100 ev) {
 
 bool reaches(const Image& rgb_nits, Nits nits) {
     const auto least = static_cast<float>(nits.value);
-    std::size_t count = 0; // not looked for, so that it runs in packs
+    unsigned any = 0; // not left early, so that it runs in packs
     for (const float value : rgb_nits.pixels)
-        count += value >= least ? 1 : 0;
-    return count > 0;
+        any |= value >= least ? 1U : 0U;
+    return any != 0;
 }
 
 void expose(Image& image, Ev100 ev) {
