@@ -1,4 +1,5 @@
 #include <gonio/asset/content_hash.hpp>
+#include <gonio/asset/detail/sha256_blocks.hpp>
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,21 @@ TEST(ContentHash, OfEveryLengthAroundABlock) {
         bytes += static_cast<char>((37 * i + i / 7) % 256);
     }
     EXPECT_EQ(sha256(hashes), "66a5723c5e71a27d466a4789dea1f5d1d20bf52a664209a8fb44ba9d35eab35c");
+}
+
+TEST(ContentHash, IsTheSameByTheProcessorsInstructions) {
+    const detail::AddSha256Blocks instructions = detail::sha256_instructions();
+    if (instructions == nullptr) GTEST_SKIP() << "the processor has none";
+    std::string bytes;
+    for (std::size_t i = 0; i < 50 * detail::sha256_block_size; ++i)
+        bytes += static_cast<char>((i * i + 7 * i / 3) % 251);
+    detail::Sha256State plain{1, 2, 3, 4, 0xfffffff0U, 6, 7, 0x80000000U};
+    detail::Sha256State quick = plain;
+    for (std::size_t count = 0, first = 0; first + count <= 50; first += count++) {
+        detail::add_sha256_blocks(plain, bytes.data() + first * detail::sha256_block_size, count);
+        instructions(quick, bytes.data() + first * detail::sha256_block_size, count);
+        EXPECT_EQ(quick, plain) << count;
+    }
 }
 
 } // namespace

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -206,6 +208,32 @@ TEST(Exposure, FindsTheQuantilesOfSortedPixels) {
             EXPECT_NEAR(white_luminance(auto_exposure(image, {}, subject)).value / sorted[k].first, 1.0, 1e-6)
                 << decades << ' ' << of_subject;
         }
+}
+
+// Several pieces, of which the last is not whole.
+TEST(Exposure, IsTheSameAtAnyNumberOfThreads) {
+    measure::Random random(6);
+    Image image(500, 407, 3);
+    std::vector<std::uint8_t> subject(image.pixels.size() / 3);
+    for (const double decades : {0.05, 6.0}) {
+        for (float& value : image.pixels)
+            value = static_cast<float>(std::pow(10.0, decades * random.uniform(-1.0, 1.0)));
+        for (std::uint8_t& is_subject : subject)
+            is_subject = random.uniform(0.0, 1.0) < 0.1 ? 1 : 0;
+        const double alone = auto_exposure(image, {}, subject).value;
+        for (const unsigned threads : {0U, 2U, 5U})
+            EXPECT_EQ(auto_exposure(image, {}, subject, threads).value, alone) << threads;
+    }
+}
+
+TEST(Exposure, KnowsWhetherAnyChannelIsAsHigh) {
+    Image image(7, 3, 3);
+    EXPECT_FALSE(reaches(image, Nits(1e20)));
+    EXPECT_TRUE(reaches(image, Nits(0.0)));
+    image.pixels[1] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(reaches(image, Nits(1e20)));
+    image.pixels[62] = 1e20F;
+    EXPECT_TRUE(reaches(image, Nits(1e20)));
 }
 
 // A hundred pixels of a subject in a thousand count as much as all others.
