@@ -3,6 +3,7 @@
 #include <gonio/base/picture_size.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/preview/detail/render_check.hpp>
+#include <gonio/preview/kernels_camera.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/named_surroundings.hpp>
@@ -86,7 +87,8 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
                                      options.shows_lights ? scene.bodies : no_bodies,
                                      options.shows_lights ? scene.emitted : no_emitted,
                                      options.width,
-                                     options.height};
+                                     options.height,
+                                     preview::camera_kernels(options.instruction_set)};
     const int across = (options.width + detail::tile_size - 1) / detail::tile_size;
     const int down = (options.height + detail::tile_size - 1) / detail::tile_size;
     const std::size_t tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);

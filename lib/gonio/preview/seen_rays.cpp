@@ -1,23 +1,93 @@
 #include <gonio/preview/detail/seen_rays.hpp>
 #include <gonio/scene/emitter.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 #include <optional>
 #include <variant>
 
 namespace gonio::detail {
 
+namespace {
+
+void put(double (&to)[3], const glm::dvec3& v) {
+    for (int axis = 0; axis < 3; ++axis)
+        to[axis] = v[axis];
+}
+
+// The primitives that the kernels know.
+std::optional<preview::CameraTarget> target_of(const Primitive& primitive, const glm::dvec3& eye) {
+    using preview::CameraTarget;
+    CameraTarget target;
+    const auto set_plane = [&](const glm::dvec3& point, const glm::dvec3& normal) {
+        put(target.normal, normal);
+        target.height = glm::dot(point - eye, normal);
+    };
+    if (const auto* const plane = std::get_if<Plane>(&primitive)) {
+        target.kind = CameraTarget::Kind::plane;
+        set_plane(plane->point, plane->normal);
+    } else if (const auto* const panel = std::get_if<Panel>(&primitive)) {
+        target.kind = CameraTarget::Kind::panel;
+        set_plane(panel->frame.origin, panel->frame.z);
+        put(target.middle, panel->frame.origin);
+        put(target.x, panel->frame.x);
+        put(target.y, panel->frame.y);
+        target.half_size[0] = 0.5 * panel->width;
+        target.half_size[1] = 0.5 * panel->height;
+    } else if (const auto* const ball = std::get_if<Ball>(&primitive)) {
+        target.kind = CameraTarget::Kind::ball;
+        put(target.middle, ball->center - eye);
+        target.radius = ball->radius;
+    } else {
+        return std::nullopt;
+    }
+    return target;
+}
+
+} // namespace
+
 RaysFrom& SeenRays::begin(std::size_t count) {
     rays_.resize(count);
+    rays_.origin = scene_.rays.ray(0.0, 0.0).origin;
     return rays_;
+}
+
+void SeenRays::begin_grid(double left, double top, std::size_t columns, std::size_t rows) {
+    begin(columns * rows);
+    const CameraRays::Plane& plane = scene_.rays.plane();
+    preview::CameraRow row;
+    put(row.start, plane.corner);
+    put(row.step, plane.right);
+    row.first = left;
+    for (std::size_t i = 0; i < rows; ++i) {
+        put(row.down, (top + static_cast<double>(i)) * plane.down);
+        double* const to[3] = {rays_.x.data() + i * columns, rays_.y.data() + i * columns,
+                               rays_.z.data() + i * columns};
+        scene_.kernels.directions(row, columns, to);
+    }
+}
+
+preview::CameraRayArrays SeenRays::arrays(std::size_t first, std::size_t count) const {
+    preview::CameraRayArrays arrays;
+    put(arrays.origin, rays_.origin);
+    arrays.direction[0] = rays_.x.data() + first;
+    arrays.direction[1] = rays_.y.data() + first;
+    arrays.direction[2] = rays_.z.data() + first;
+    arrays.count = count;
+    return arrays;
 }
 
 void SeenRays::cast(std::span<const std::uint32_t> surfaces, std::span<const std::uint32_t> lights) {
     first_.begin(rays_.size());
+    const preview::CameraRayArrays all = arrays(0, rays_.size());
     bool has_faces = false;
     for (const std::uint32_t i : surfaces) {
         const Primitive& geometry = scene_.stage.surfaces[i].geometry;
-        meet_first(geometry, rays_, i, first_);
+        if (const std::optional<preview::CameraTarget> target = target_of(geometry, rays_.origin))
+            scene_.kernels.meet(*target, all, i, first_.distance.data(), first_.number.data());
+        else
+            meet_first(geometry, rays_, i, first_);
         has_faces = has_faces || std::holds_alternative<Box>(geometry);
     }
     kind_.resize(rays_.size());
@@ -52,27 +122,14 @@ glm::dvec3 SeenRays::normal_of(std::size_t i) const {
 }
 
 void SeenRays::put_positions(std::size_t first, std::size_t count, const glm::dvec3& anchor,
-                             const std::array<float*, 3>& to) const {
-    const std::array axes{rays_.x.data() + first, rays_.y.data() + first, rays_.z.data() + first};
-    const double* const distance = first_.distance.data() + first;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double from = rays_.origin[static_cast<int>(axis)];
-        const double less = anchor[static_cast<int>(axis)];
-        const double* const along = axes[axis];
-        float* const numbers = to[axis];
-        for (std::size_t i = 0; i < count; ++i)
-            numbers[i] = static_cast<float>(from + distance[i] * along[i] - less);
-    }
+                             float* const (&to)[3]) const {
+    double less[3];
+    put(less, anchor);
+    scene_.kernels.positions(arrays(first, count), first_.distance.data() + first, less, to);
 }
 
-void SeenRays::put_views(std::size_t first, std::size_t count, const std::array<float*, 3>& to) const {
-    const std::array axes{rays_.x.data() + first, rays_.y.data() + first, rays_.z.data() + first};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double* const along = axes[axis];
-        float* const numbers = to[axis];
-        for (std::size_t i = 0; i < count; ++i)
-            numbers[i] = static_cast<float>(-along[i]);
-    }
+void SeenRays::put_views(std::size_t first, std::size_t count, float* const (&to)[3]) const {
+    scene_.kernels.views(arrays(first, count), to);
 }
 
 void SeenRays::put_changes(std::size_t first, std::size_t count, std::size_t stride, std::uint8_t* to) const {
@@ -82,7 +139,7 @@ void SeenRays::put_changes(std::size_t first, std::size_t count, std::size_t str
                (here != values[i + stride]);
     };
     const std::uint8_t* const kind = kind_.data() + first;
-    const std::uint32_t* const number = first_.number.data() + first;
+    const double* const number = first_.number.data() + first;
     for (std::size_t i = 0; i < count; ++i)
         to[i] = differ(kind, i) ? 1 : 0;
     for (std::size_t i = 0; i < count; ++i)

@@ -62,13 +62,7 @@ TileSamples::TileSamples(const RayScene& scene, int left, int top)
 void TileSamples::look_through_centers() {
     const auto columns = static_cast<std::size_t>(stride_);
     const std::size_t rows = static_cast<std::size_t>(bottom_ - top_) + 2;
-    RaysFrom& rays = centers_.begin(columns * rows);
-    rays.origin = eye();
-    for (std::size_t row = 0; row < rows; ++row) {
-        const auto of_row = [&](std::vector<double>& axis) { return std::span(axis).subspan(row * columns, columns); };
-        scene_.rays.directions(left_ - 0.5, top_ - 0.5 + static_cast<double>(row), of_row(rays.x), of_row(rays.y),
-                               of_row(rays.z));
-    }
+    centers_.begin_grid(left_ - 0.5, top_ - 0.5, columns, rows);
     centers_.cast(seen_surfaces_, seen_lights_);
 }
 
@@ -102,7 +96,6 @@ const TileSamples::FineSamples& TileSamples::fine(std::size_t center) {
         const std::ptrdiff_t row = at / stride_;
         const auto y = static_cast<double>(top_ - 1 + row);
         RaysFrom& rays = within_pixel_.begin(samples.size());
-        rays.origin = eye();
         std::size_t next = 0;
         for (int j = 0; j < edge_samples; ++j)
             for (int i = 0; i < edge_samples; ++i)
@@ -151,14 +144,15 @@ void TileSamples::add_block(std::size_t first, std::size_t columns, std::size_t 
     std::size_t to = samples.add_pixels(centers_.position_of(first),
                                         {pixel_of(first), static_cast<std::int32_t>(first), columns, rows,
                                          static_cast<std::uint32_t>(scene_.width), static_cast<std::int32_t>(stride_)});
-    const auto from = [&](std::array<std::vector<float>, 3>& arrays) {
-        return std::array{arrays[0].data() + to, arrays[1].data() + to, arrays[2].data() + to};
-    };
     const bool is_flat = is_sheet(geometry) || std::holds_alternative<Box>(geometry);
     const glm::vec3 normal(is_flat ? centers_.normal_of(first) : glm::dvec3(0.0));
     for (std::size_t row = first; row < first + rows * stride; row += stride, to += columns) {
-        centers_.put_positions(row, columns, samples.anchor, from(samples.position));
-        centers_.put_views(row, columns, from(samples.view));
+        float* const positions[3] = {samples.position[0].data() + to, samples.position[1].data() + to,
+                                     samples.position[2].data() + to};
+        float* const views[3] = {samples.view[0].data() + to, samples.view[1].data() + to,
+                                 samples.view[2].data() + to};
+        centers_.put_positions(row, columns, samples.anchor, positions);
+        centers_.put_views(row, columns, views);
         for (std::size_t i = 0; i < columns; ++i) {
             const glm::vec3 at = is_flat ? normal : glm::vec3(centers_.normal_of(row + i));
             for (std::size_t axis = 0; axis < 3; ++axis)

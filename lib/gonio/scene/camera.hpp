@@ -5,7 +5,6 @@
 #include <glm/vec3.hpp>
 
 #include <optional>
-#include <span>
 
 #pragma GCC visibility push(default)
 namespace gonio {
@@ -36,9 +35,13 @@ public:
     // at (i + ½, j + ½).
     Ray ray(double x, double y) const;
 
-    // The directions of the rays through (x + i, y), for each i of the spans, which have one size.
-    void directions(double x, double y, std::span<double> along_x, std::span<double> along_y,
-                    std::span<double> along_z) const;
+    // The ray through (x, y) has the direction of corner + x·right + y·down.
+    struct Plane {
+        glm::dvec3 corner; // from the eye to the top left corner of the picture
+        glm::dvec3 right;  // one pixel
+        glm::dvec3 down;   // one pixel
+    };
+    const Plane& plane() const { return plane_; }
 
     // The point of the picture, or of its plane beyond its sides, at which a point of the world appears: the ray()
     // through it meets that point. Nothing where the world's point is not in front of the eye.
@@ -46,10 +49,8 @@ public:
 
 private:
     glm::dvec3 origin_;
-    glm::dvec3 corner_; // from the eye to the top left corner of the picture
-    glm::dvec3 right_;  // one pixel
-    glm::dvec3 down_;   // one pixel
-    glm::dvec3 ahead_;  // unit
+    Plane plane_;
+    glm::dvec3 ahead_; // unit
 };
 
 } // namespace gonio

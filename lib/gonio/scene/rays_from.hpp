@@ -35,11 +35,11 @@ struct RaysFrom {
 // What each ray meets first: the distance, infinite for nothing, and the number of what it meets.
 struct FirstMet {
     std::vector<double> distance;
-    std::vector<std::uint32_t> number;
+    std::vector<double> number; // whole; as kernels put it
 
     void begin(std::size_t rays) {
         distance.assign(rays, std::numeric_limits<double>::infinity());
-        number.assign(rays, 0);
+        number.assign(rays, 0.0);
     }
 };
 

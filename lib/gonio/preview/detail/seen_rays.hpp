@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
+#include <gonio/preview/kernels_camera.hpp>
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/emissive_lights.hpp>
 #include <gonio/scene/rays_from.hpp>
@@ -10,7 +11,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,22 +37,25 @@ struct RayScene {
     const EmittedLights& emitted; // by surfaces of the stage
     int width = 0;
     int height = 0;
+    const preview::CameraKernels& kernels;
 };
 
 class SeenRays {
 public:
     explicit SeenRays(const RayScene& scene) : scene_(scene) {}
 
-    // Their directions are set by the caller.
+    // Rays from the eye, whose directions the caller sets.
     RaysFrom& begin(std::size_t count);
+    // Rays through rows of a picture, each through a first point and those so many pixels beside it.
+    void begin_grid(double left, double top, std::size_t columns, std::size_t rows);
     // `surfaces` and `lights`: the numbers of those that any of the rays may meet; lights in their order.
     void cast(std::span<const std::uint32_t> surfaces, std::span<const std::uint32_t> lights);
 
     std::size_t size() const { return kind_.size(); }
     bool is_surface(std::size_t i) const { return kind_[i] >= surface; }
     bool is_emitter(std::size_t i) const { return kind_[i] == emitter; }
-    std::size_t surface_of(std::size_t i) const { return first_.number[i]; }
-    std::uint32_t light_of(std::size_t i) const { return first_.number[i]; }
+    std::size_t surface_of(std::size_t i) const { return static_cast<std::size_t>(first_.number[i]); }
+    std::uint32_t light_of(std::size_t i) const { return static_cast<std::uint32_t>(first_.number[i]); }
     int face_of(std::size_t i) const { return kind_[i] - surface; }
     bool show_the_same(std::size_t i, std::size_t j) const {
         return kind_[i] == kind_[j] && first_.number[i] == first_.number[j];
@@ -61,9 +64,8 @@ public:
     glm::dvec3 position_of(std::size_t i) const { return rays_.origin + first_.distance[i] * rays_.at(i).direction; }
     glm::dvec3 normal_of(std::size_t i) const;
     // Of the rays [first, first + count), by axis: their positions less the anchor, and the views.
-    void put_positions(std::size_t first, std::size_t count, const glm::dvec3& anchor,
-                       const std::array<float*, 3>& to) const;
-    void put_views(std::size_t first, std::size_t count, const std::array<float*, 3>& to) const;
+    void put_positions(std::size_t first, std::size_t count, const glm::dvec3& anchor, float* const (&to)[3]) const;
+    void put_views(std::size_t first, std::size_t count, float* const (&to)[3]) const;
     // 1 for those of these rays that show something else than the one before, after, `stride` before or after, else 0.
     void put_changes(std::size_t first, std::size_t count, std::size_t stride, std::uint8_t* to) const;
     Seen at(std::size_t i) const;
@@ -72,6 +74,8 @@ private:
     // Of a surface: the number of its face is added.
     static constexpr std::uint8_t nothing = 0, emitter = 1, surface = 2;
 
+    // The rays [first, first + count).
+    preview::CameraRayArrays arrays(std::size_t first, std::size_t count) const;
     void find_faces();
     void find_lights(std::span<const std::uint32_t> lights);
 
