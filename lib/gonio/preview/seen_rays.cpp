@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -92,7 +93,7 @@ void SeenRays::cast(std::span<const std::uint32_t> surfaces, std::span<const std
     }
     kind_.resize(rays_.size());
     for (std::size_t i = 0; i < rays_.size(); ++i)
-        kind_[i] = std::isfinite(first_.distance[i]) ? surface : nothing;
+        kind_[i] = first_.distance[i] < std::numeric_limits<double>::infinity() ? surface : nothing;
     if (has_faces) find_faces();
     find_lights(lights);
 }
@@ -132,18 +133,17 @@ void SeenRays::put_views(std::size_t first, std::size_t count, float* const (&to
     scene_.kernels.views(arrays(first, count), to);
 }
 
-void SeenRays::put_changes(std::size_t first, std::size_t count, std::size_t stride, std::uint8_t* to) const {
-    const auto differ = [&](const auto& values, std::size_t i) {
-        const auto here = values[i];
-        return (here != values[i - 1]) | (here != values[i + 1]) | (here != values[i - stride]) |
-               (here != values[i + stride]);
-    };
-    const std::uint8_t* const kind = kind_.data() + first;
-    const double* const number = first_.number.data() + first;
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = differ(kind, i) ? 1 : 0;
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = static_cast<std::uint8_t>(to[i] | (differ(number, i) ? 1 : 0));
+void SeenRays::put_changes(std::size_t columns, std::span<std::uint8_t> to) const {
+    std::vector<std::uint32_t> shown(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        shown[i] = (static_cast<std::uint32_t>(static_cast<std::int32_t>(first_.number[i])) << 3U) | kind_[i];
+    for (std::size_t row = columns; row + columns < size(); row += columns)
+        for (std::size_t i = row + 1; i < row + columns - 1; ++i) {
+            const std::uint32_t here = shown[i];
+            const std::uint32_t changes = (here ^ shown[i - 1]) | (here ^ shown[i + 1]) | (here ^ shown[i - columns]) |
+                                          (here ^ shown[i + columns]);
+            to[i] = changes != 0 ? 1 : 0;
+        }
 }
 
 Seen SeenRays::at(std::size_t i) const {

@@ -67,16 +67,11 @@ void TileSamples::look_through_centers() {
 }
 
 void TileSamples::find_outlines() {
-    const auto stride = static_cast<std::size_t>(stride_);
-    const auto rows = static_cast<std::size_t>(bottom_ - top_);
-    for (std::size_t row = 1; row <= rows; ++row) {
-        const std::size_t first = row * stride + 1;
-        centers_.put_changes(first, stride - 2, stride, on_outline_.data() + first);
-        if (seen_lights_.empty()) continue;
-        // An image may have outlines of its own within the pixel.
-        for (std::size_t at = first; at < first + stride - 2; ++at)
-            if (centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr) on_outline_[at] = 1;
-    }
+    centers_.put_changes(static_cast<std::size_t>(stride_), on_outline_);
+    if (seen_lights_.empty()) return;
+    // An image may have outlines of its own within the pixel.
+    for (std::size_t at = 0; at < centers_.size(); ++at)
+        if (centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr) on_outline_[at] = 1;
 }
 
 std::uint32_t TileSamples::pixel_of(std::size_t center) const {

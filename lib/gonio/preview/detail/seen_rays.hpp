@@ -66,8 +66,9 @@ public:
     // Of the rays [first, first + count), by axis: their positions less the anchor, and the views.
     void put_positions(std::size_t first, std::size_t count, const glm::dvec3& anchor, float* const (&to)[3]) const;
     void put_views(std::size_t first, std::size_t count, float* const (&to)[3]) const;
-    // 1 for those of these rays that show something else than the one before, after, `stride` before or after, else 0.
-    void put_changes(std::size_t first, std::size_t count, std::size_t stride, std::uint8_t* to) const;
+    // Of a grid with so many columns, 1 for those within it that show something else than one of the four beside them,
+    // else 0. Leaves out the first and last row and column.
+    void put_changes(std::size_t columns, std::span<std::uint8_t> to) const;
     Seen at(std::size_t i) const;
 
 private:
