@@ -58,8 +58,8 @@ void add_block(Sha256State& state, const char* block) {
 
 #if defined(__x86_64__)
 
-// Intel's SHA extensions: an instruction for two rounds, whose registers hold a, b, e, f and c, d, g, h, and two for four
-// words of the schedule.
+// Intel's SHA extensions: an instruction for two rounds, whose registers hold a, b, e, f and c, d, g, h, and two for
+// four words of the schedule.
 __attribute__((target("sha,ssse3,sse4.1"))) void add_by_instructions(Sha256State& state, const char* blocks,
                                                                      std::size_t count) {
     const auto lane = [&](std::size_t i) { return static_cast<int>(state[i]); };
@@ -80,8 +80,8 @@ __attribute__((target("sha,ssse3,sse4.1"))) void add_by_instructions(Sha256State
                 words = _mm_add_epi32(_mm_sha256msg1_epu32(words, w[(four + 1) % 4]), seven_before);
                 words = _mm_sha256msg2_epu32(words, last);
             }
-            const __m128i added = _mm_add_epi32(
-                words, _mm_load_si128(reinterpret_cast<const __m128i*>(round_constants.data()) + four));
+            const __m128i added =
+                _mm_add_epi32(words, _mm_load_si128(reinterpret_cast<const __m128i*>(round_constants.data()) + four));
             cdgh = _mm_sha256rnds2_epu32(cdgh, abef, added); // what was c, d, g, h is a, b, e, f after two rounds
             abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(added, 0x0E));
         }

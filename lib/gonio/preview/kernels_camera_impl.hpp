@@ -56,8 +56,8 @@ template<class S, class Entry>
 GONIO_FORCE_INLINE void meet_by(const CameraRayArrays& rays, double number, double* distance, double* numbers,
                                 const Entry& entry) {
     simd::for_each_packet<simd::Packet<S>>(rays.count, [&](const simd::Packet<S>& packet) {
-        const S t = entry(Three<S>{packet.load(rays.direction[0]), packet.load(rays.direction[1]),
-                                   packet.load(rays.direction[2])});
+        const S t = entry(
+            Three<S>{packet.load(rays.direction[0]), packet.load(rays.direction[1]), packet.load(rays.direction[2])});
         const S until_now = packet.load(distance);
         const auto is_met = simd::both(t > S(0), t < until_now);
         if (!simd::any(is_met)) return;

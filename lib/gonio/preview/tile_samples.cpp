@@ -144,8 +144,7 @@ void TileSamples::add_block(std::size_t first, std::size_t columns, std::size_t 
     for (std::size_t row = first; row < first + rows * stride; row += stride, to += columns) {
         float* const positions[3] = {samples.position[0].data() + to, samples.position[1].data() + to,
                                      samples.position[2].data() + to};
-        float* const views[3] = {samples.view[0].data() + to, samples.view[1].data() + to,
-                                 samples.view[2].data() + to};
+        float* const views[3] = {samples.view[0].data() + to, samples.view[1].data() + to, samples.view[2].data() + to};
         centers_.put_positions(row, columns, samples.anchor, positions);
         centers_.put_views(row, columns, views);
         for (std::size_t i = 0; i < columns; ++i) {

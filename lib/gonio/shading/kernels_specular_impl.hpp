@@ -14,8 +14,8 @@
 
 namespace gonio::shading::detail {
 
-// A lobe whose kind is known at run time alone: for methods that are there to be compared with, and for kernels that are to
-// be small.
+// A lobe whose kind is known at run time alone: for methods that are there to be compared with, and for kernels that
+// are to be small.
 template<class S>
 struct AnyLobe {
     static constexpr bool is_even = true;

@@ -51,7 +51,7 @@ struct SurfaceSamples {
         std::int32_t first_center;
         std::size_t columns;
         std::size_t rows;
-        std::uint32_t pixels_of_row;  // of the picture
+        std::uint32_t pixels_of_row; // of the picture
         std::int32_t centers_of_row; // of the tile
     };
     // Adds pixels, row by row, whose positions, normals and views the caller sets, and returns the index of the first.

@@ -44,8 +44,8 @@ TEST(CameraKernels, SeeWhatSingleRaysSee) {
     for (std::uint32_t i = 0; i < stage.surfaces.size(); ++i)
         all.push_back(i);
     for (const simd::InstructionSet set : simd::available_sets()) {
-        const detail::RayScene scene{
-            stage, {}, rays, no_bodies, no_emitted, columns - 2, rows - 2, preview::camera_kernels(set)};
+        const detail::RayScene scene{stage,      {},          rays,     no_bodies,
+                                     no_emitted, columns - 2, rows - 2, preview::camera_kernels(set)};
         detail::SeenRays seen(scene);
         seen.begin_grid(-0.5, -0.5, columns, rows);
         seen.cast(all, {});
