@@ -95,7 +95,8 @@ echo "${#known[@]} files"
 # The output of clang-tidy for one file is collected, and shown only if there is any.
 tidy_one() { # FILE
     local said status=0
-    said=$(clang-tidy-14 --quiet ${checks:+"--checks=$checks"} --extra-arg=-Wno-unknown-warning-option -p "$build" "$1" \
+    said=$(clang-tidy-14 --quiet ${checks:+"--checks=$checks"} --extra-arg=-Wno-unknown-warning-option \
+        --extra-arg=-Wno-unused-command-line-argument -p "$build" "$1" \
         2> /dev/null) || status=$?
     ((status == 0)) || printf '%s\n' "$said"
     return "$status"

@@ -60,8 +60,8 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
 
 // "log", "linear", "LOW:HIGH", "log:LOW:HIGH", "linear:LOW:HIGH".
 Result<void> read_scale(std::string_view text, LookRequest& request) {
-    const auto wrong = [&](std::string message) {
-        return fail("USE0105", std::move(message),
+    const auto wrong = [&](const std::string& message) {
+        return fail("USE0105", message,
                     request.quantity == PictureQuantity::illuminance
                         ? "write log, linear, LOW:HIGH or linear:LOW:HIGH, for example 0.1lx:1000lx"
                         : "write log, linear, LOW:HIGH or linear:LOW:HIGH, for example 0.1nt:1000nt");

@@ -15,10 +15,9 @@ namespace {
 void ask_for_large_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     constexpr std::uintptr_t page = 2 << 20;
-    const auto from = reinterpret_cast<std::uintptr_t>(data);
-    const std::uintptr_t first = (from + page - 1) / page * page;
-    const std::uintptr_t end = (from + size) / page * page;
-    if (first < end) (void)madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+    const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(data) % page) % page;
+    if (size < before + page) return;
+    (void)madvise(static_cast<char*>(data) + before, (size - before) / page * page, MADV_HUGEPAGE);
 #endif
 }
 
