@@ -185,7 +185,7 @@ private:
         std::size_t size = target_.bytes.size();
         for (const Chunk& chunk : chunks_)
             size += chunk.bytes.size() + of_chunk;
-        target_.bytes.reserve(size);
+        if (size > target_.bytes.capacity()) target_.bytes.reserve(std::max(size, 2 * target_.bytes.capacity()));
     }
 
     std::int32_t line_of(std::size_t chunk) const { return static_cast<std::int32_t>(first_ + chunk) * lines_; }
