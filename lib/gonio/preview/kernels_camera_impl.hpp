@@ -5,6 +5,8 @@
 #pragma once
 
 #include <gonio/preview/kernels_camera.hpp>
+#include <gonio/scene/spread.hpp>
+#include <gonio/shading/vec3.hpp>
 #include <gonio/simd/doubles_math.hpp>
 #include <gonio/simd/packet.hpp>
 
@@ -12,30 +14,19 @@
 
 namespace gonio::preview::detail {
 
-template<class S>
-struct Three {
-    S x, y, z;
-
-    GONIO_FORCE_INLINE friend Three operator+(const Three& a, const Three& b) {
-        return {a.x + b.x, a.y + b.y, a.z + b.z};
-    }
-    GONIO_FORCE_INLINE friend Three operator-(const Three& a, const Three& b) {
-        return {a.x - b.x, a.y - b.y, a.z - b.z};
-    }
-    GONIO_FORCE_INLINE friend Three operator*(S a, const Three& b) { return {a * b.x, a * b.y, a * b.z}; }
-    GONIO_FORCE_INLINE friend S dot(const Three& a, const Three& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-};
+using gonio::detail::spread;
+using shading::vec3;
 
 template<class S>
-GONIO_FORCE_INLINE Three<S> spread(const double (&v)[3]) {
-    return {S(v[0]), S(v[1]), S(v[2])};
+GONIO_FORCE_INLINE S dot_as_glm(const vec3<S>& a, const vec3<S>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template<class S>
 void directions(const CameraRow& row, std::size_t count, double* const (&direction)[3]) {
-    const Three<S> start = spread<S>(row.start);
-    const Three<S> step = spread<S>(row.step);
-    const Three<S> down = spread<S>(row.down);
+    const vec3<S> start = spread<S>(row.start);
+    const vec3<S> step = spread<S>(row.step);
+    const vec3<S> down = spread<S>(row.down);
     double number[simd::Traits<S>::lanes];
     for (std::size_t lane = 0; lane < simd::Traits<S>::lanes; ++lane)
         number[lane] = static_cast<double>(lane);
@@ -43,8 +34,8 @@ void directions(const CameraRow& row, std::size_t count, double* const (&directi
     simd::load(&number[0], lane_number);
     simd::for_each_packet<simd::Packet<S>>(count, [&](const simd::Packet<S>& packet) {
         const S at = S(row.first) + (S(static_cast<double>(packet.first)) + lane_number);
-        const Three<S> way = start + at * step + down;
-        const Three<S> unit = (S(1) / simd::sqrt(dot(way, way))) * way;
+        const vec3<S> way = start + step * at + down;
+        const vec3<S> unit = way * (S(1) / simd::sqrt(dot_as_glm(way, way)));
         packet.store(unit.x, direction[0]);
         packet.store(unit.y, direction[1]);
         packet.store(unit.z, direction[2]);
@@ -57,7 +48,7 @@ GONIO_FORCE_INLINE void meet_by(const CameraRayArrays& rays, double number, doub
                                 const Entry& entry) {
     simd::for_each_packet<simd::Packet<S>>(rays.count, [&](const simd::Packet<S>& packet) {
         const S t = entry(
-            Three<S>{packet.load(rays.direction[0]), packet.load(rays.direction[1]), packet.load(rays.direction[2])});
+            vec3<S>{packet.load(rays.direction[0]), packet.load(rays.direction[1]), packet.load(rays.direction[2])});
         const S until_now = packet.load(distance);
         const auto is_met = simd::both(t > S(0), t < until_now);
         if (!simd::any(is_met)) return;
@@ -67,36 +58,36 @@ GONIO_FORCE_INLINE void meet_by(const CameraRayArrays& rays, double number, doub
 }
 
 template<class S>
-GONIO_FORCE_INLINE S plane_entry(const CameraTarget& plane, const Three<S>& direction) {
-    const S facing = dot(direction, spread<S>(plane.normal));
+GONIO_FORCE_INLINE S plane_entry(const CameraTarget& plane, const vec3<S>& direction) {
+    const S facing = dot_as_glm(direction, spread<S>(plane.normal));
     const auto is_facing = facing < S(0);
     return simd::select(is_facing, S(plane.height) / simd::select(is_facing, facing, S(-1)), S(0));
 }
 
 template<class S>
 void meet(const CameraTarget& target, const CameraRayArrays& rays, double number, double* distance, double* numbers) {
-    const Three<S> middle = spread<S>(target.middle);
+    const vec3<S> middle = spread<S>(target.middle);
     switch (target.kind) {
     case CameraTarget::Kind::plane:
         return meet_by<S>(rays, number, distance, numbers,
-                          [&](const Three<S>& direction) { return plane_entry(target, direction); });
+                          [&](const vec3<S>& direction) { return plane_entry(target, direction); });
     case CameraTarget::Kind::panel: {
-        const Three<S> origin = spread<S>(rays.origin);
-        return meet_by<S>(rays, number, distance, numbers, [&](const Three<S>& direction) {
+        const vec3<S> origin = spread<S>(rays.origin);
+        return meet_by<S>(rays, number, distance, numbers, [&](const vec3<S>& direction) {
             const S t = plane_entry(target, direction);
-            const Three<S> at = origin + t * direction - middle;
-            const auto is_within = simd::both(simd::abs(dot(at, spread<S>(target.x))) <= S(target.half_size[0]),
-                                              simd::abs(dot(at, spread<S>(target.y))) <= S(target.half_size[1]));
+            const vec3<S> at = origin + direction * t - middle;
+            const auto is_within = simd::both(simd::abs(dot_as_glm(at, spread<S>(target.x))) <= S(target.half_size[0]),
+                                              simd::abs(dot_as_glm(at, spread<S>(target.y))) <= S(target.half_size[1]));
             return simd::select(is_within, t, S(0));
         });
     }
     case CameraTarget::Kind::ball:
         break;
     }
-    meet_by<S>(rays, number, distance, numbers, [&](const Three<S>& direction) {
-        const S along = dot(middle, direction);
-        const Three<S> miss = middle - along * direction;
-        const S half_chord2 = S(target.radius) * S(target.radius) - dot(miss, miss);
+    meet_by<S>(rays, number, distance, numbers, [&](const vec3<S>& direction) {
+        const S along = dot_as_glm(middle, direction);
+        const vec3<S> miss = middle - direction * along;
+        const S half_chord2 = S(target.radius) * S(target.radius) - dot_as_glm(miss, miss);
         const auto is_met = half_chord2 >= S(0);
         return simd::select(is_met, along - simd::sqrt(simd::select(is_met, half_chord2, S(0))), S(0));
     });

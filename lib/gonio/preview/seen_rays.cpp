@@ -1,9 +1,9 @@
 #include <gonio/preview/detail/seen_rays.hpp>
+#include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/emitter.hpp>
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -11,11 +11,6 @@
 namespace gonio::detail {
 
 namespace {
-
-void put(double (&to)[3], const glm::dvec3& v) {
-    for (int axis = 0; axis < 3; ++axis)
-        to[axis] = v[axis];
-}
 
 // The primitives that the kernels know.
 std::optional<preview::CameraTarget> target_of(const Primitive& primitive, const glm::dvec3& eye) {
@@ -50,7 +45,7 @@ std::optional<preview::CameraTarget> target_of(const Primitive& primitive, const
 
 RaysFrom& SeenRays::begin(std::size_t count) {
     rays_.resize(count);
-    rays_.origin = scene_.rays.ray(0.0, 0.0).origin;
+    rays_.origin = scene_.rays.eye();
     return rays_;
 }
 

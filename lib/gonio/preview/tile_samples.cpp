@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 #include <variant>
 
 namespace gonio::detail {

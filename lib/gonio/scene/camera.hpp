@@ -31,6 +31,8 @@ class CameraRays {
 public:
     CameraRays(const Camera& camera, int width, int height);
 
+    const glm::dvec3& eye() const { return origin_; } // where all rays begin
+
     // The ray through the point (x, y) of the picture, in pixels from its top left corner: pixel (i, j) has its centre
     // at (i + ½, j + ½).
     Ray ray(double x, double y) const;

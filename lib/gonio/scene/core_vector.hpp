@@ -1,4 +1,4 @@
-// Converts vectors of scenes to those of the shading core, and back.
+// Converts vectors of scenes to those of the shading core, and back; and to the plain numbers that kernels read.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
@@ -12,6 +12,11 @@ inline shading::vec3<double> vec(const glm::dvec3& v) {
 }
 inline glm::dvec3 vec(shading::vec3<double> v) {
     return {v.x, v.y, v.z};
+}
+
+inline void put(double (&to)[3], const glm::dvec3& v) {
+    for (int axis = 0; axis < 3; ++axis)
+        to[axis] = v[axis];
 }
 
 } // namespace gonio::detail

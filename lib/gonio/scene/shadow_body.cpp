@@ -1,4 +1,5 @@
 #include <gonio/light/shape_traits.hpp>
+#include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/shadow_body.hpp>
 
 #include <glm/common.hpp>
@@ -11,11 +12,6 @@
 namespace gonio::detail {
 
 namespace {
-
-void put(double (&to)[3], const glm::dvec3& v) {
-    for (int axis = 0; axis < 3; ++axis)
-        to[axis] = v[axis];
-}
 
 template<class Numbers>
 void put_frame(Numbers& to, const Frame& frame) {

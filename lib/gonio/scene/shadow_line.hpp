@@ -8,6 +8,7 @@
 #pragma once
 
 #include <gonio/scene/shadow_numbers.hpp>
+#include <gonio/scene/spread.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/scalar.hpp>
 
@@ -16,11 +17,6 @@
 namespace gonio::detail {
 
 using shading::vec3;
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> spread(const double (&v)[3]) {
-    return {S(v[0]), S(v[1]), S(v[2])};
-}
 
 template<class S>
 GONIO_FORCE_INLINE vec3<S> in_frame(const ShadowBody& body, const vec3<S>& v) {

@@ -2,6 +2,7 @@
 // shading/kernels_impl.hpp applies here too.
 #pragma once
 
+#include <gonio/scene/spread.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 #include <gonio/simd/packet.hpp>
@@ -11,6 +12,7 @@
 
 namespace gonio::transport::detail {
 
+using gonio::detail::spread;
 using shading::vec3;
 
 inline constexpr std::size_t most_columns = 24;
@@ -128,11 +130,6 @@ GONIO_FORCE_INLINE ColumnIntegrals<S> integrals(const ColumnTable& table, S phi,
     simd::load(&cosines[0], result.cosine);
     simd::load(&sines[0], result.sine);
     return result;
-}
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> spread(const float (&v)[3]) {
-    return {S(v[0]), S(v[1]), S(v[2])};
 }
 
 // What receivers see of the light's plane.

@@ -2,6 +2,7 @@
 // shading/kernels_impl.hpp applies here too.
 #pragma once
 
+#include <gonio/scene/spread.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 #include <gonio/simd/packet.hpp>
@@ -11,12 +12,8 @@
 
 namespace gonio::transport::detail {
 
+using gonio::detail::spread;
 using shading::vec3;
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> spread(const float (&v)[3]) {
-    return {S(v[0]), S(v[1]), S(v[2])};
-}
 
 // Where a ray enters a sphere, from the miss distance and not from b² − 4ac: far spheres keep their outline. Both are
 // negative where it does not.

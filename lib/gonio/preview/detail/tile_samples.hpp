@@ -40,7 +40,7 @@ public:
         float share;
         glm::dvec3 view; // unit, towards the eye
     };
-    glm::dvec3 eye() const { return scene_.rays.ray(0.0, 0.0).origin; }
+    glm::dvec3 eye() const { return scene_.rays.eye(); }
     const std::vector<EmitterShare>& emitters() const { return emitters_; }
 
     // The share of a pixel that shows nothing of the stage.
