@@ -310,17 +310,23 @@ const std::vector<LitTile::Visible>& LitTile::visible_at(const LitLight& light, 
 
 void LitTile::find_centers() {
     const SeenRays& all = tile_.centers();
-    std::vector<std::size_t> place(scene_.stage.surfaces.size(), no_surface);
+    std::vector<std::size_t> count(scene_.stage.surfaces.size(), 0);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all.is_surface(i)) ++count[all.surface_of(i)];
+    std::vector<Centers*> of_surface(count.size(), nullptr);
+    centers_.reserve(count.size());
+    for (std::size_t surface = 0; surface < count.size(); ++surface) {
+        if (count[surface] == 0) continue;
+        of_surface[surface] = &centers_.emplace_back();
+        of_surface[surface]->surface = surface;
+        of_surface[surface]->index.reserve(count[surface]);
+        of_surface[surface]->points.resize(count[surface]);
+    }
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all.is_surface(i)) continue;
-        const std::size_t surface = all.surface_of(i);
-        if (place[surface] == no_surface) {
-            place[surface] = centers_.size();
-            centers_.emplace_back().surface = surface;
-        }
-        Centers& centers = centers_[place[surface]];
+        Centers& centers = *of_surface[all.surface_of(i)];
+        centers.points.set(centers.index.size(), all.position_of(i), all.normal_of(i), all.view_of(i));
         centers.index.push_back(static_cast<std::uint32_t>(i));
-        centers.points.add(all.position_of(i), all.normal_of(i), all.view_of(i));
     }
 }
 

@@ -20,26 +20,34 @@ void put_frame(Numbers& to, const Frame& frame) {
     put(to.z, frame.z);
 }
 
-// Of a point to a solid or surface; 0 inside.
-struct DistanceTo {
+// The point of a solid or surface that is nearest to another; that point itself inside.
+struct NearestTo {
     const glm::dvec3& point;
 
-    double operator()(const Plane& plane) const { return std::abs(glm::dot(point - plane.point, plane.normal)); }
-    double operator()(const Panel& panel) const {
-        return to_box(panel.frame, {0.5 * panel.width, 0.5 * panel.height, 0.0});
+    glm::dvec3 operator()(const Plane& plane) const {
+        return point - glm::dot(point - plane.point, plane.normal) * plane.normal;
     }
-    double operator()(const Ball& ball) const { return std::max(glm::distance(point, ball.center) - ball.radius, 0.0); }
-    double operator()(const Box& box) const { return to_box(box.frame, box.half_size); }
-    double operator()(const Capsule& capsule) const {
-        const glm::dvec3 off = point - capsule.center;
-        const double along = std::clamp(glm::dot(off, capsule.axis), -capsule.half_length, capsule.half_length);
-        return std::max(glm::length(off - along * capsule.axis) - capsule.radius, 0.0);
+    glm::dvec3 operator()(const Panel& panel) const {
+        return in_box(panel.frame, {0.5 * panel.width, 0.5 * panel.height, 0.0});
+    }
+    glm::dvec3 operator()(const Ball& ball) const { return within(ball.center, ball.radius); }
+    glm::dvec3 operator()(const Box& box) const { return in_box(box.frame, box.half_size); }
+    glm::dvec3 operator()(const Capsule& capsule) const {
+        const double along =
+            std::clamp(glm::dot(point - capsule.center, capsule.axis), -capsule.half_length, capsule.half_length);
+        return within(capsule.center + along * capsule.axis, capsule.radius);
     }
 
 private:
-    double to_box(const Frame& frame, const glm::dvec3& half_size) const {
+    glm::dvec3 within(const glm::dvec3& center, double radius) const {
+        const glm::dvec3 off = point - center;
+        const double distance = glm::length(off);
+        return distance > radius ? center + radius / distance * off : point;
+    }
+    glm::dvec3 in_box(const Frame& frame, const glm::dvec3& half_size) const {
         const glm::dvec3 local = frame.to_local(point - frame.origin);
-        return glm::length(glm::max(glm::abs(local) - half_size, glm::dvec3(0.0)));
+        const glm::dvec3 nearest = glm::clamp(local, -half_size, half_size);
+        return frame.origin + frame.x * nearest.x + frame.y * nearest.y + frame.z * nearest.z;
     }
 };
 
@@ -120,7 +128,11 @@ private:
 ShadowBody shadow_body(const Primitive& body, const Ball& around_light) {
     ShadowBody numbers;
     std::visit(BodyNumbers{numbers}, body);
-    numbers.is_apart = std::visit(DistanceTo{around_light.center}, body) > around_light.radius;
+    const glm::dvec3 nearest = std::visit(NearestTo{around_light.center}, body);
+    const glm::dvec3 to_light = around_light.center - nearest;
+    numbers.is_apart = glm::length(to_light) > around_light.radius;
+    put(numbers.nearest, nearest);
+    put(numbers.to_light, to_light);
     if (const std::optional<Ball> around = bounds(body)) numbers.around = around->radius;
     return numbers;
 }

@@ -1,99 +1,113 @@
 // Which objects matter to the shadow at a receiver, and the edge of a shadow that is seen nearest to a direction: lines
 // on the light that run across it are cut uniformly.
 //
-// S is double or simd::doubles, a receiver in each lane; positions except those of ShadowBody are relative to it.
+// A receiver in each lane; positions except those of ShadowBody and of receivers are relative to it.
 #pragma once
 
 #include <gonio/scene/shadow_line.hpp>
 #include <gonio/scene/shadow_numbers.hpp>
+#include <gonio/scene/unfused.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/doubles_math.hpp>
 
 namespace gonio::detail {
 
+// An edge and how far it is seen from a direction.
 template<class S>
 struct ShadowEdge {
-    S distance = S(1e300);            // at most the angle between them [rad]; negative inside round objects
+    // Square of the sine of the angle between them; beyond a right angle 2 minus that.
+    S away = S(4);
     vec3<S> across{S(0), S(0), S(0)}; // across the edge, of any length
 
     GONIO_FORCE_INLINE void take(simd::mask_of<S> where, const ShadowEdge& other) {
-        distance = simd::select(where, other.distance, distance);
+        away = simd::select(where, other.away, away);
         across = shading::select<S>(where, other.across, across);
+    }
+    GONIO_FORCE_INLINE static S away_of(S square_of_sine, S cosine) {
+        return simd::select(cosine > S(0), square_of_sine, S(2) - square_of_sine);
     }
 };
 
-// The edge of an object nearest to a unit direction. The distance is 0 for objects that the receiver touches, or that
-// extend to it.
+// The edge of an object nearest to a unit direction; the direction itself where the receiver is inside.
 template<class S>
 class NearestEdge {
 public:
-    GONIO_FORCE_INLINE NearestEdge(const vec3<S>& receiver, const vec3<S>& towards)
-        : receiver_(receiver), towards_(towards) {}
+    GONIO_FORCE_INLINE explicit NearestEdge(const vec3<S>& towards) : towards_(towards) {}
 
-    GONIO_FORCE_INLINE ShadowEdge<S> operator()(const ShadowBody& body) const {
+    // `middle`: of the body.
+    GONIO_FORCE_INLINE ShadowEdge<S> operator()(const ShadowBody& body, const vec3<S>& middle) const {
         switch (body.kind) {
-        case ShadowBody::Kind::plane:
-            return {dot(towards_, spread<S>(body.z)), spread<S>(body.z)};
+        case ShadowBody::Kind::plane: {
+            const vec3<S> normal = spread<S>(body.z);
+            const S sine = unfused::dot(towards_, normal);
+            return {sine * sine, normal};
+        }
         case ShadowBody::Kind::panel:
-            return of_panel(body);
+            return of_panel(body, middle);
         case ShadowBody::Kind::ball:
-            return of_ball(body);
+            return of_ball(body, middle);
         case ShadowBody::Kind::box:
-            return of_box(body);
+            return of_box(body, middle);
         case ShadowBody::Kind::capsule:
             break;
         }
-        return of_capsule(body);
+        return of_capsule(body, middle);
     }
 
 private:
-    // A point, and the direction to it.
     struct Corner {
         vec3<S> at;
-        S length;
-        S off; // chord between the directions
+        vec3<S> turn; // direction × at
+        S away;
 
         Corner() = default;
         GONIO_FORCE_INLINE Corner(const vec3<S>& point, const vec3<S>& towards)
             : at(point),
-              length(shading::length(point)),
-              off(shading::length(point * shading::reciprocal_or_zero(length) - towards)) {}
+              turn(unfused::cross(towards, point)),
+              away(ShadowEdge<S>::away_of(unfused::dot(turn, turn) *
+                                              shading::reciprocal_or_zero(unfused::dot(point, point)),
+                                          unfused::dot(point, towards))) {}
     };
 
-    ShadowEdge<S> of_ball(const ShadowBody& ball) const {
-        const vec3<S> center = spread<S>(ball.middle) - receiver_;
-        const S distance = length(center);
-        const S radius(ball.radius);
-        const auto is_outside = distance > radius;
-        const S per_distance = shading::reciprocal_or_zero(distance);
-        const vec3<S> off = center * per_distance - towards_;
+    // What is seen around an angle from its middle, from the squares of two sines and the sign of the middle's cosine.
+    GONIO_FORCE_INLINE static S away_from_rim(S of_middle, S of_radius) {
+        const auto is_before = of_middle <= S(1);
+        const S square = simd::select(is_before, of_middle, S(2) - of_middle);
+        const S cosine = simd::sqrt(simd::max(S(1) - square, S(0)));
+        const S sine = simd::sqrt(square);
+        const S signed_cosine = simd::select(is_before, cosine, -cosine);
+        const S rim_cosine = simd::sqrt(simd::max(S(1) - of_radius, S(0)));
+        const S rim_sine = simd::sqrt(of_radius);
+        const S between = sine * rim_cosine - signed_cosine * rim_sine;
+        return ShadowEdge<S>::away_of(between * between, signed_cosine * rim_cosine + sine * rim_sine);
+    }
+
+    ShadowEdge<S> of_ball(const ShadowBody& ball, const vec3<S>& center) const {
+        const Corner middle(center, towards_);
+        const S distance2 = unfused::dot(center, center);
+        const S radius2 = spread<S>(ball.radius * ball.radius);
         ShadowEdge<S> edge{S(0), towards_};
-        edge.take(is_outside, {S(2) * simd::arc_sine(simd::min(S(0.5) * length(off), S(1))) -
-                                   simd::arc_sine(simd::min(radius * per_distance, S(1))),
-                               off});
+        edge.take(distance2 > radius2, {away_from_rim(middle.away, radius2 * shading::reciprocal_or_zero(distance2)),
+                                        unfused::cross(middle.turn, towards_)});
         return edge;
     }
 
-    ShadowEdge<S> of_capsule(const ShadowBody& capsule) const {
-        const vec3<S> center = spread<S>(capsule.middle) - receiver_;
-        const vec3<S> half = spread<S>(capsule.x) * S(capsule.half_size[0]);
-        const Corner a(center - half, towards_);
-        const Corner b(center + half, towards_);
-        const vec3<S> way = b.at - a.at;
-        const S place = simd::max(simd::min(-dot(a.at, way) * shading::reciprocal_or_zero(dot(way, way)), S(1)), S(0));
-        const S nearest = length(a.at + way * place);
-        const S radius(capsule.radius);
-        const auto is_outside = nearest > radius;
-        ShadowEdge<S> of_axis = segment(a, b);
-        of_axis.distance =
-            of_axis.distance - simd::arc_sine(simd::min(radius * shading::reciprocal_or_zero(nearest), S(1)));
+    ShadowEdge<S> of_capsule(const ShadowBody& capsule, const vec3<S>& center) const {
+        const vec3<S> half = spread<S>(capsule.x) * spread<S>(capsule.half_size[0]);
+        const S along = unfused::dot(center, spread<S>(capsule.x));
+        const S place = simd::max(simd::min(-along, spread<S>(capsule.half_size[0])), -spread<S>(capsule.half_size[0]));
+        const vec3<S> nearest = center + spread<S>(capsule.x) * place;
+        const S nearest2 = unfused::dot(nearest, nearest);
+        const S radius2 = spread<S>(capsule.radius * capsule.radius);
+        ShadowEdge<S> of_axis = segment(Corner(center - half, towards_), Corner(center + half, towards_));
+        of_axis.away = away_from_rim(of_axis.away, radius2 * shading::reciprocal_or_zero(nearest2));
         ShadowEdge<S> edge{S(0), towards_};
-        edge.take(is_outside, of_axis);
+        edge.take(nearest2 > radius2, of_axis);
         return edge;
     }
 
-    ShadowEdge<S> of_panel(const ShadowBody& panel) const {
-        const PanelCorners<S> corners(panel, receiver_);
+    ShadowEdge<S> of_panel(const ShadowBody& panel, const vec3<S>& middle) const {
+        const PanelCorners<S> corners(panel, middle);
         Corner corner[4];
         for (int i = 0; i < 4; ++i)
             corner[i] = Corner(corners.at[i], towards_);
@@ -103,11 +117,10 @@ private:
         return nearest;
     }
 
-    ShadowEdge<S> of_box(const ShadowBody& box) const {
-        const vec3<S> middle = spread<S>(box.middle) - receiver_;
-        const vec3<S> x = spread<S>(box.x) * S(box.half_size[0]);
-        const vec3<S> y = spread<S>(box.y) * S(box.half_size[1]);
-        const vec3<S> z = spread<S>(box.z) * S(box.half_size[2]);
+    ShadowEdge<S> of_box(const ShadowBody& box, const vec3<S>& middle) const {
+        const vec3<S> x = spread<S>(box.x) * spread<S>(box.half_size[0]);
+        const vec3<S> y = spread<S>(box.y) * spread<S>(box.half_size[1]);
+        const vec3<S> z = spread<S>(box.z) * spread<S>(box.half_size[2]);
         Corner corner[8];
         for (unsigned i = 0; i < 8; ++i)
             corner[i] = Corner(middle + x * S((i & 1U) != 0 ? 1 : -1) + y * S((i & 2U) != 0 ? 1 : -1) +
@@ -121,70 +134,84 @@ private:
     }
 
     GONIO_FORCE_INLINE static void add(ShadowEdge<S>& nearest, const ShadowEdge<S>& other) {
-        nearest.take(other.distance < nearest.distance, other);
+        nearest.take(other.away < nearest.away, other);
     }
 
     // The plane through the segment and the receiver if the direction passes the segment, else the segment's nearer
     // end.
     GONIO_FORCE_INLINE ShadowEdge<S> segment(const Corner& a, const Corner& b) const {
-        const vec3<S> normal = cross(a.at, b.at);
-        const S length2 = dot(normal, normal);
-        const auto is_plane = length2 > S(0);
+        const vec3<S> normal = unfused::cross(a.at, b.at);
+        const S length2 = unfused::dot(normal, normal);
         // The direction projected into that plane: u a + v b.
-        const S u = dot(cross(towards_, b.at), normal);
-        const S v = dot(cross(a.at, towards_), normal);
+        const S u = unfused::dot(b.turn, normal);
+        const S v = -unfused::dot(a.turn, normal);
+        const auto is_plane = length2 > S(0);
         const auto passes = simd::both(is_plane, simd::both(u > S(0), v > S(0)));
-        const S root = simd::sqrt(simd::select(is_plane, length2, S(1)));
-        ShadowEdge<S> edge{simd::select(passes, simd::abs(dot(normal, towards_)) / root, simd::min(a.off, b.off)),
-                           normal};
-        if (simd::all(is_plane)) return edge;
+        const S sine = unfused::dot(normal, towards_);
+        const S nearer_end = simd::min(a.away, b.away);
+        const S away = simd::select(passes, sine * sine / simd::select(is_plane, length2, S(1)), nearer_end);
+        if (simd::all(is_plane)) return {away, normal};
         // The receiver is in line with the segment, or on it.
-        const auto is_on_it =
-            simd::both(!is_plane, !simd::both(simd::both(a.length > S(0), b.length > S(0)), dot(a.at, b.at) >= S(0)));
-        edge.distance = simd::select(is_plane, edge.distance, simd::select(is_on_it, S(0), a.off));
-        edge.across = shading::select<S>(
-            is_plane, edge.across,
-            shading::select<S>(is_on_it, towards_, a.at * shading::reciprocal_or_zero(a.length) - towards_));
-        return edge;
+        return {away, shading::select<S>(is_plane, normal, unfused::cross(a.turn, towards_))};
     }
 
-    vec3<S> receiver_; // in the coordinates of the stage
     vec3<S> towards_;
 };
 
-// Whether a body may block light on its way from a sphere to the receiver; may be true when in doubt.
+// Which bodies may block light on its way from a sphere to the receiver; some of them may not.
 template<class S>
-GONIO_FORCE_INLINE simd::mask_of<S> may_stand_before(const ShadowBody& body, const vec3<S>& receiver,
-                                                     const vec3<S>& light_center, S light_radius) {
-    const vec3<S> middle = spread<S>(body.middle);
-    const vec3<S> from_middle = receiver - middle;
-    const vec3<S> light_from_middle = light_center - middle;
-    auto parted = S(1) < S(0);
-    // Receiver and light are on the same side of one of its planes, so that no part of it is between them.
-    const auto part = [&](const double(&normal)[3], S half) {
-        const S of_receiver = dot(from_middle, spread<S>(normal));
-        const S of_light = dot(light_from_middle, spread<S>(normal));
-        const auto is_beyond = simd::both(simd::abs(of_receiver) >= half - touching_distance(receiver),
-                                          simd::select(of_receiver < S(0), -of_light, of_light) - light_radius >= half);
-        parted = simd::either(parted, is_beyond);
-    };
-    if (body.kind == ShadowBody::Kind::plane || body.kind == ShadowBody::Kind::panel) part(body.z, S(0));
-    if (body.kind == ShadowBody::Kind::plane) return !parted;
-    if (body.kind == ShadowBody::Kind::box) {
-        part(body.x, S(body.half_size[0]));
-        part(body.y, S(body.half_size[1]));
-        part(body.z, S(body.half_size[2]));
+class WaysFromSphere {
+public:
+    GONIO_FORCE_INLINE WaysFromSphere(const vec3<S>& receiver, const double (&center)[3], double radius)
+        : receiver_(receiver),
+          way_(spread<S>(center) - receiver),
+          touching_(touching_distance(receiver)),
+          center_{center[0], center[1], center[2]},
+          radius_(radius) {
+        const S length2 = unfused::dot(way_, way_);
+        per_length2_ = shading::reciprocal_or_zero(length2);
+        is_slender_ = S(radius * radius) < S(0.01) * length2;
+        is_somewhere_ = length2 > S(0);
     }
-    // All ways lie within a cone: at most as wide as the light and, where it is slender, as its middle.
-    const S around(body.around);
-    const vec3<S> way = light_center - receiver;
-    const S length2 = dot(way, way);
-    const S along = simd::max(simd::min(-dot(from_middle, way) * shading::reciprocal_or_zero(length2), S(1)), S(0));
-    const auto is_slender = light_radius * light_radius < S(0.01) * length2;
-    const S width = simd::select(is_slender, S(1.01) * light_radius * along + S(0.01) * around, light_radius);
-    const S near = (around + width) * S(1.0 + 1e-6);
-    const vec3<S> apart = from_middle + way * along;
-    return simd::both(!parted, dot(apart, apart) <= near * near);
-}
+
+    GONIO_FORCE_INLINE simd::mask_of<S> may_meet(const ShadowBody& body) const {
+        const vec3<S> from_middle = receiver_ - spread<S>(body.middle);
+        auto parted = !is_somewhere_;
+        // Receiver and light are on the same side of one of its planes, so that no part of it is between them.
+        const auto part = [&](const double(&normal)[3], double half) {
+            const S of_receiver = unfused::dot(from_middle, spread<S>(normal));
+            const double of_light = (center_[0] - body.middle[0]) * normal[0] +
+                                    (center_[1] - body.middle[1]) * normal[1] +
+                                    (center_[2] - body.middle[2]) * normal[2];
+            const auto is_beyond =
+                simd::both(simd::abs(of_receiver) >= S(half) - touching_,
+                           simd::select(of_receiver < S(0), S(-of_light), S(of_light)) - S(radius_) >= S(half));
+            parted = simd::either(parted, is_beyond);
+        };
+        if (body.kind == ShadowBody::Kind::plane || body.kind == ShadowBody::Kind::panel) part(body.z, 0.0);
+        if (body.kind == ShadowBody::Kind::plane) return !parted;
+        if (body.kind == ShadowBody::Kind::box) {
+            part(body.x, body.half_size[0]);
+            part(body.y, body.half_size[1]);
+            part(body.z, body.half_size[2]);
+        }
+        // All ways lie within a cone: at most as wide as the light and, where it is slender, as its middle.
+        const S along = simd::max(simd::min(-unfused::dot(from_middle, way_) * per_length2_, S(1)), S(0));
+        const S width = simd::select(is_slender_, S(1.01 * radius_) * along + S(0.01 * body.around), S(radius_));
+        const S near = (spread<S>(body.around) + width) * S(1.0 + 1e-6);
+        const vec3<S> apart = from_middle + way_ * along;
+        return simd::both(!parted, unfused::dot(apart, apart) <= near * near);
+    }
+
+private:
+    vec3<S> receiver_; // in the coordinates of the stage
+    vec3<S> way_;
+    S touching_;
+    S per_length2_;
+    double center_[3];
+    double radius_;
+    simd::mask_of<S> is_slender_;
+    simd::mask_of<S> is_somewhere_;
+};
 
 } // namespace gonio::detail

@@ -1,6 +1,7 @@
 // The part of a line on a light that an object hides: of all rays from a receiver to the points of a line, those that
 // hit a convex object form one piece. Its ends are where the line begins or ends, where it enters or leaves the object,
-// or where a ray is tangent to it: closed forms, without sampling.
+// or where a ray is tangent to it: closed forms, without sampling. For objects that are apart from the light
+// shadow_section.hpp has a shorter way.
 //
 // S is double or simd::doubles: a receiver in each lane, with lines of its own. All positions except those of
 // ShadowBody are relative to the receiver. One-sided surfaces that the receiver touches and solids that it lies in hide
@@ -141,12 +142,11 @@ struct Round {
 
 template<class S>
 GONIO_FORCE_INLINE void add_ball(HiddenPiece<S>& hidden, const LightLineSeen<S>& line, const Round<S>& ball,
-                                 bool is_apart, simd::mask_of<S> where) {
+                                 simd::mask_of<S> where) {
     ball.tangents(line.from, line.along, [&](auto on_line, S t, const ShareOfWay<S>& share) {
         hidden.add(simd::both(where, simd::both(on_line, share.is_before_line())), t);
     });
-    if (!is_apart)
-        ball.crossings(line.from, line.along, [&](auto on_line, S t) { hidden.add(simd::both(where, on_line), t); });
+    ball.crossings(line.from, line.along, [&](auto on_line, S t) { hidden.add(simd::both(where, on_line), t); });
     hidden.add(simd::both(where, ball.blocks(line.from)), S(0));
     hidden.add(simd::both(where, ball.blocks(line.to())), S(1));
 }
@@ -181,8 +181,7 @@ private:
     S area_;
 };
 
-// What objects hide from receivers: blocks(way) tells whether they stand on the way to a point, hidden(line) is the
-// piece of a line that they hide. Lines do not enter objects that are apart from the light.
+// What objects hide from receivers: hidden(line) is the piece of a line.
 
 template<class S>
 class HidingPlane {
@@ -194,9 +193,6 @@ public:
           height_(dot(receiver - spread<S>(plane.middle), normal_)),
           is_free_(simd::abs(height_) > touching_distance(receiver)) {}
 
-    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_free_, height_ * (height_ + dot(way, normal_)) < S(0));
-    }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         const S from = height_ + dot(line.from, normal_);
@@ -218,10 +214,9 @@ template<class S>
 struct PanelCorners {
     vec3<S> at[4];
 
-    GONIO_FORCE_INLINE PanelCorners(const ShadowBody& panel, const vec3<S>& receiver) {
-        const vec3<S> middle = spread<S>(panel.middle) - receiver;
-        const vec3<S> right = spread<S>(panel.x) * S(panel.half_size[0]);
-        const vec3<S> up = spread<S>(panel.y) * S(panel.half_size[1]);
+    GONIO_FORCE_INLINE PanelCorners(const ShadowBody& panel, const vec3<S>& middle) {
+        const vec3<S> right = spread<S>(panel.x) * spread<S>(panel.half_size[0]);
+        const vec3<S> up = spread<S>(panel.y) * spread<S>(panel.half_size[1]);
         at[0] = middle - right - up;
         at[1] = middle + right - up;
         at[2] = middle + right + up;
@@ -243,12 +238,8 @@ public:
           half_height_(panel.half_size[1]),
           height_(-dot(middle_, z_)),
           is_free_(simd::abs(height_) > touching_distance(receiver)),
-          is_apart_(panel.is_apart),
-          corners_(panel, receiver) {}
+          corners_(panel, middle_) {}
 
-    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_free_, is_passed(height_ + dot(way, z_), way));
-    }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         S side[4];
@@ -263,10 +254,8 @@ public:
             edges.add(piece, where, corners_.at[i], side[i], corners_.at[(i + 1) % 4], side[(i + 1) % 4]);
         const S from = height_ + dot(line.from, z_);
         const S to = from + dot(line.along, z_);
-        if (!is_apart_) {
-            const S crossing = from / (from - to);
-            piece.add(simd::both(where, simd::both(from * to < S(0), is_within(line.at(crossing)))), crossing);
-        }
+        const S crossing = from / (from - to);
+        piece.add(simd::both(where, simd::both(from * to < S(0), is_within(line.at(crossing)))), crossing);
         piece.add(simd::both(where, is_passed(from, line.from)), S(0));
         piece.add(simd::both(where, is_passed(to, line.to())), S(1));
         return piece;
@@ -286,7 +275,6 @@ private:
     S half_width_, half_height_;
     S height_;     // of the receiver
     mask is_free_; // the receiver does not touch it
-    bool is_apart_;
     PanelCorners<S> corners_;
 };
 
@@ -296,17 +284,13 @@ public:
     using mask = simd::mask_of<S>;
 
     GONIO_FORCE_INLINE HidingBall(const ShadowBody& ball, const vec3<S>& receiver)
-        : radius_(ball.radius),
-          round_(spread<S>(ball.middle) - receiver, radius_),
-          is_outside_(round_.power > S(0)),
-          is_apart_(ball.is_apart) {}
+        : radius_(ball.radius), round_(spread<S>(ball.middle) - receiver, radius_), is_outside_(round_.power > S(0)) {}
 
-    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const { return simd::both(is_outside_, round_.blocks(way)); }
     GONIO_FORCE_INLINE HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         const auto where =
             simd::both(is_outside_, simd::abs(dot(line.normal, round_.center)) <= radius_ * line.normal_length);
-        if (simd::any(where)) add_ball(piece, line, round_, is_apart_, where);
+        if (simd::any(where)) add_ball(piece, line, round_, where);
         return piece;
     }
 
@@ -314,7 +298,6 @@ private:
     S radius_;
     Round<S> round_;
     mask is_outside_;
-    bool is_apart_;
 };
 
 template<class S>
@@ -327,8 +310,7 @@ public:
           axis_(spread<S>(capsule.x)),
           half_length_(capsule.half_size[0]),
           radius_(capsule.radius),
-          side_(across(center_), radius_),
-          is_apart_(capsule.is_apart) {
+          side_(across(center_), radius_) {
         end_[0] = Round<S>(center_ - axis_ * half_length_, radius_);
         end_[1] = Round<S>(center_ + axis_ * half_length_, radius_);
         const S along = -dot(center_, axis_);
@@ -336,11 +318,6 @@ public:
         is_outside_ = !(length(center_ + axis_ * place) < radius_);
     }
 
-    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        const auto met = simd::either(simd::either(end_[0].blocks(way), end_[1].blocks(way)),
-                                      is_on_side(way, side_.entry(across(way))));
-        return simd::both(is_outside_, met);
-    }
     HiddenPiece<S> hidden(const LightLineSeen<S>& line) const {
         HiddenPiece<S> piece;
         // An object that the plane of the rays misses hides nothing, and takes almost no time.
@@ -351,7 +328,7 @@ public:
         if (!simd::any(where)) return piece;
         for (int i = 0; i < 2; ++i) {
             const auto met = simd::both(where, simd::abs(heights[i]) <= reach);
-            if (simd::any(met)) add_ball(piece, line, end_[i], is_apart_, met);
+            if (simd::any(met)) add_ball(piece, line, end_[i], met);
         }
         // The side between the ends.
         const vec3<S> from = across(line.from);
@@ -359,10 +336,9 @@ public:
         side_.tangents(from, along, [&](auto on_line, S t, const ShareOfWay<S>& share) {
             piece.add(simd::both(where, simd::both(on_line, is_on_side(line.at(t), share))), t);
         });
-        if (!is_apart_)
-            side_.crossings(from, along, [&](auto on_line, S t) {
-                piece.add(simd::both(where, simd::both(on_line, is_on_side(line.at(t), {S(1), S(1)}))), t);
-            });
+        side_.crossings(from, along, [&](auto on_line, S t) {
+            piece.add(simd::both(where, simd::both(on_line, is_on_side(line.at(t), {S(1), S(1)}))), t);
+        });
         piece.add(simd::both(where, is_on_side(line.from, side_.entry(from))), S(0));
         piece.add(simd::both(where, is_on_side(line.to(), side_.entry(from + along))), S(1));
         return piece;
@@ -380,7 +356,6 @@ private:
     Round<S> side_;
     Round<S> end_[2];
     mask is_outside_;
-    bool is_apart_;
 };
 
 // In the axes of the box.
@@ -396,9 +371,6 @@ public:
           is_outside_(simd::either(simd::either(simd::abs(receiver_.x) >= half_.x, simd::abs(receiver_.y) >= half_.y),
                                    simd::abs(receiver_.z) >= half_.z)) {}
 
-    GONIO_FORCE_INLINE mask blocks(const vec3<S>& way) const {
-        return simd::both(is_outside_, is_entered(in_frame(box_, way)));
-    }
     HiddenPiece<S> hidden(const LightLineSeen<S>& of_stage) const {
         HiddenPiece<S> piece;
         const vec3<S> normal = in_frame(box_, of_stage.normal);
@@ -426,13 +398,11 @@ public:
             for (unsigned bit = 1; bit < 8; bit *= 2)
                 if ((i & bit) == 0) edges.add(piece, where, corner[i], side[i], corner[i | bit], side[i | bit]);
         // Where the line itself and the rays to its ends enter the box.
-        if (!box_.is_apart) {
-            const Slabs passed(half_, receiver_ + line.from, line.along);
-            const auto is_met = simd::both(simd::both(where, passed.is_met(passed.entry <= passed.exit)),
-                                           simd::both(passed.exit >= S(0), passed.entry <= S(1)));
-            piece.add(is_met, simd::max(passed.entry, S(0)));
-            piece.add(is_met, simd::min(passed.exit, S(1)));
-        }
+        const Slabs passed(half_, receiver_ + line.from, line.along);
+        const auto is_met = simd::both(simd::both(where, passed.is_met(passed.entry <= passed.exit)),
+                                       simd::both(passed.exit >= S(0), passed.entry <= S(1)));
+        piece.add(is_met, simd::max(passed.entry, S(0)));
+        piece.add(is_met, simd::min(passed.exit, S(1)));
         piece.add(simd::both(where, is_entered(line.from)), S(0));
         piece.add(simd::both(where, is_entered(line.to())), S(1));
         return piece;

@@ -23,6 +23,9 @@ struct ShadowBody {
     double half_size[3] = {}; // of a panel and a box; of a capsule, the first to the middles of its ends
     double radius = 0.0;      // of a ball and a capsule
     double around = 0.0;      // radius of the bounding sphere about the middle; not of planes
+    // If it is apart: its point nearest to the middle of the light's bounding sphere, and the way from there to it.
+    double nearest[3] = {};
+    double to_light[3] = {};
 };
 
 // A light that is divided into lines.

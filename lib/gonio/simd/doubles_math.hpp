@@ -7,7 +7,8 @@
 namespace gonio::simd {
 
 // arcsin x for x in [−1, 1], within 2 ulp: x + x r(x²) to 1/2, and π/2 − 2 arcsin √((1−x)/2) beyond. The rational
-// function r is the one of FreeBSD's msun (e_asin.c), within 2⁻⁵⁸.
+// function r is the one of FreeBSD's msun (e_asin.c), within 2⁻⁵⁸. For floats, too, where all sets should have the same
+// bits: math.hpp's arcsine is fused.
 template<class S>
 GONIO_FORCE_INLINE S arc_sine(S x) {
     constexpr double over[] = {1.66666666666666657415e-01,  -3.25565818622400915405e-01, 2.01212532134862925881e-01,
@@ -15,18 +16,19 @@ GONIO_FORCE_INLINE S arc_sine(S x) {
     constexpr double under[] = {1.0, -2.40339491173441421878e+00, 2.02094576023350569471e+00,
                                 -6.88283971605453293030e-01, 7.70381505559019352791e-02};
     constexpr double half_pi = 1.57079632679489661923;
+    const auto number = [](double of) { return S(static_cast<value_of<S>>(of)); };
     const S size = abs(x);
     const auto is_small = size <= S(0.5);
     const S z = select(is_small, x * x, S(0.5) * (S(1) - size));
-    S p(over[5]);
+    S p = number(over[5]);
     for (int i = 4; i >= 0; --i)
-        p = p * z + S(over[i]);
-    S q(under[4]);
+        p = p * z + number(over[i]);
+    S q = number(under[4]);
     for (int i = 3; i >= 0; --i)
-        q = q * z + S(under[i]);
+        q = q * z + number(under[i]);
     const S root = select(is_small, size, sqrt(z));
     const S small = root + root * (z * p / q);
-    return copysign(select(is_small, small, S(half_pi) - S(2) * small), x);
+    return copysign(select(is_small, small, number(half_pi) - S(2) * small), x);
 }
 
 // The angle of (x, y) from +X towards +Y in degrees, in [−180°, 180°], within 1e-13° of atan2; the sign of y, 0 for

@@ -207,6 +207,19 @@ GONIO_FORCE_INLINE void store_partial(pack<float, Isa> from, float* to, std::siz
     for (std::size_t i = 0; i < count; ++i)
         to[i] = buffer[i];
 }
+template<class Isa>
+GONIO_FORCE_INLINE void load_rounded(const double* from, pack<float, Isa>& to) {
+    pack<double, Isa> wide;
+    __builtin_memcpy(&wide.low, from, sizeof(wide.low));
+    __builtin_memcpy(&wide.high, from + Isa::lanes / 2, sizeof(wide.high));
+    narrow(wide, to);
+}
+template<class Isa>
+GONIO_FORCE_INLINE void store_widened(pack<float, Isa> from, double* to) {
+    const pack<double, Isa> wide = widen(from);
+    __builtin_memcpy(to, &wide.low, sizeof(wide.low));
+    __builtin_memcpy(to + Isa::lanes / 2, &wide.high, sizeof(wide.high));
+}
 
 // Bit i is set if lane i is set.
 template<class Isa>

@@ -176,6 +176,15 @@ template<RealScalar T>
 GONIO_FORCE_INLINE void store_partial(T from, T* to, std::size_t /*count*/) {
     *to = from;
 }
+// From and to doubles, one for each lane.
+template<RealScalar T>
+GONIO_FORCE_INLINE void load_rounded(const double* from, T& to) {
+    to = static_cast<T>(*from);
+}
+template<RealScalar T>
+GONIO_FORCE_INLINE void store_widened(T from, double* to) {
+    *to = static_cast<double>(from);
+}
 
 // The number of set bits: one instruction if the set has it, and otherwise no library call.
 GONIO_FORCE_INLINE std::uint32_t bit_count(std::uint32_t bits) {

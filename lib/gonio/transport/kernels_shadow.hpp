@@ -1,8 +1,9 @@
 // How much of a light with a size many receivers see past what stands before it, on the widest vector unit.
 //
 // The light is divided into lines (scene/light_lines.hpp). Every body hides at most one piece of each line
-// (scene/shadow_line.hpp), and each line is divided into cells. All numbers are doubles, lengths metres. Every set
-// gives the same bits, and a receiver's share does not depend on the others. Nothing fails or allocates.
+// (scene/shadow_section.hpp, and scene/shadow_line.hpp if it is not apart from the light), and each line is divided
+// into cells. All numbers are doubles, lengths metres; inside, what is relative to the light and the receiver is float.
+// Every set gives the same bits, and a receiver's share does not depend on the others. Nothing fails or allocates.
 #pragma once
 
 #include <gonio/scene/shadow_numbers.hpp>
@@ -22,7 +23,8 @@ struct ShadowShares {
     static constexpr std::size_t lines = 8;
     static constexpr std::size_t cells_of_line = 4;
     static constexpr std::size_t cells = lines * cells_of_line;
-    static constexpr double several = -1.0; // none, too
+    static constexpr double several = -1.0;                   // none, too
+    static constexpr std::size_t numbers_of_body = 2 * lines; // that kernels keep of a body: what it hides of each line
 
     // One of each for each receiver.
     double* visible = nullptr; // share of the illuminance: exactly 1 if nothing is hidden, exactly 0 if all lines are
@@ -36,14 +38,16 @@ struct ShadowShares {
     double* towards[3] = {};
 };
 
-// Doubles of scratch memory for each body: for up to 8 lanes a mark, and the two ends of one piece of each line.
-inline constexpr std::size_t shadow_scratch_numbers = 8 * (1 + 2 * ShadowShares::lines);
+// Bytes of scratch memory for each body: for up to 16 lanes a mark and its numbers, in double, and the two ends of one piece
+// of each line.
+inline constexpr std::size_t shadow_scratch_bytes =
+    16 * ((1 + ShadowShares::numbers_of_body) * sizeof(double) + 2 * ShadowShares::lines * sizeof(float));
 
 struct ShadowKernels {
     simd::InstructionSet set;
-    // `scratch`: shadow_scratch_numbers doubles for each body.
+    // `scratch`: shadow_scratch_bytes for each body, aligned for doubles.
     void (*visible_shares)(const gonio::detail::LinedLight&, const gonio::detail::ShadowBody* bodies,
-                           std::size_t body_count, const ShadowReceivers&, double* scratch, const ShadowShares&);
+                           std::size_t body_count, const ShadowReceivers&, std::byte* scratch, const ShadowShares&);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

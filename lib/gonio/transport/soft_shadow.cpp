@@ -17,20 +17,6 @@ namespace gonio::detail {
 
 using transport::ShadowShares;
 
-void ShadowPoints::clear() {
-    for (std::vector<double>& numbers : numbers_)
-        numbers.clear();
-}
-
-void ShadowPoints::add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<std::size_t>(axis);
-        numbers_[at].push_back(position[axis]);
-        numbers_[3 + at].push_back(normal[axis]);
-        numbers_[6 + at].push_back(view[axis]);
-    }
-}
-
 SoftShadow::SoftShadow(const LitScene& scene)
     : scene_(scene),
       reflectance_(shading::reflectance_kernels(scene.options.instruction_set)),
@@ -52,7 +38,7 @@ std::span<const VisibleShare> SoftShadow::visible(std::size_t own, const ShadowP
     const Ball light{light_->reach.center, light_->reach.body_radius};
     for (const std::uint32_t i : bodies_[own])
         numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, light));
-    scratch_.resize(std::max(scratch_.size(), numbers_.size() * transport::shadow_scratch_numbers));
+    scratch_.resize(std::max(scratch_.size(), numbers_.size() * transport::shadow_scratch_bytes));
     for (std::size_t first = 0; first < points.size(); first += block)
         find(own, points, first, std::min(block, points.size() - first), with_luminance);
     return shares_;

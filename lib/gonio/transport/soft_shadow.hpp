@@ -28,9 +28,24 @@ namespace gonio::detail {
 class ShadowPoints {
 public:
     std::size_t size() const { return numbers_.front().size(); }
-    void clear();
+    void clear() { resize(0); }
+    void resize(std::size_t count) {
+        for (std::vector<double>& numbers : numbers_)
+            numbers.resize(count);
+    }
     // `view`: unit, towards the eye; only for the luminance.
-    void add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view = glm::dvec3(0.0));
+    void set(std::size_t i, const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto at = static_cast<std::size_t>(axis);
+            numbers_[at][i] = position[axis];
+            numbers_[3 + at][i] = normal[axis];
+            numbers_[6 + at][i] = view[axis];
+        }
+    }
+    void add(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& view = glm::dvec3(0.0)) {
+        resize(size() + 1);
+        set(size() - 1, position, normal, view);
+    }
 
     glm::dvec3 position(std::size_t i) const { return vector(0, i); }
     glm::dvec3 normal(std::size_t i) const { return vector(3, i); }
@@ -89,7 +104,7 @@ private:
 
     // Of one block:
     std::vector<ShadowBody> numbers_; // of the bodies
-    std::vector<double> scratch_;
+    std::vector<std::byte> scratch_;
     std::array<double, block> visible_{};
     std::array<double, block> hiding_{};
     std::vector<double> cells_; // their visible shares, solid angles and directions

@@ -1,6 +1,7 @@
 // The kernels of soft shadows against each other; tests/unit/preview/shadows.cpp compares them with counted rays.
 #include <gonio/scene/shadow_body.hpp>
 #include <gonio/transport/kernels_shadow.hpp>
+#include <gonio/transport/kernels_shadow_impl.hpp>
 
 #include "../light/lights.hpp"
 #include "../preview/numbers.hpp"
@@ -8,7 +9,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -61,7 +64,8 @@ struct Shares {
     bool is_in_penumbra(std::size_t i) const { return visible[i] > 0.0 && visible[i] < 1.0; }
 };
 
-Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& light,
+template<class Kernel>
+Shares shares_by(const Kernel& visible_shares, const gonio::detail::LinedLight& light,
                  const std::vector<ShadowBody>& bodies, const Receivers& at) {
     ShadowReceivers receivers;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -80,9 +84,14 @@ Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& ligh
     to.solid_angle = shares.cells[1].data();
     for (std::size_t axis = 0; axis < 3; ++axis)
         to.towards[axis] = shares.cells[2 + axis].data();
-    std::vector<double> scratch(bodies.size() * shadow_scratch_numbers);
-    shadow_kernels(set).visible_shares(light, bodies.data(), bodies.size(), receivers, scratch.data(), to);
+    std::vector<std::byte> scratch(bodies.size() * shadow_scratch_bytes);
+    visible_shares(light, bodies.data(), bodies.size(), receivers, scratch.data(), to);
     return shares;
+}
+
+Shares shares_of(simd::InstructionSet set, const gonio::detail::LinedLight& light,
+                 const std::vector<ShadowBody>& bodies, const Receivers& at) {
+    return shares_by(shadow_kernels(set).visible_shares, light, bodies, at);
 }
 
 Primitive any_body(test::Numbers& random) {
@@ -155,6 +164,74 @@ TEST(ShadowKernels, GiveTheSameBitsOnAllSets) {
         }
     }
     EXPECT_GT(in_penumbra, 2000U);
+}
+
+Shares exact_shares_of(const gonio::detail::LinedLight& light, const std::vector<ShadowBody>& bodies,
+                       const Receivers& at) {
+    return shares_by(detail::visible_shares<double>, light, bodies, at);
+}
+
+// The same kernel in double. Where two edges are seen equally far from the middle of the light, rounding decides which
+// of them gives the direction of the lines; those shares differ by the error of the lines.
+TEST(ShadowKernels, AgreeWithDouble) {
+    std::size_t in_penumbra = 0;
+    std::size_t by_other_lines = 0;
+    for (const Case& of : cases()) {
+        const Shares single = shares_of(simd::InstructionSet::scalar, of.light, of.bodies, of.receivers);
+        const Shares exact = exact_shares_of(of.light, of.bodies, of.receivers);
+        for (std::size_t i = 0; i < receiver_count; ++i) {
+            if (!exact.is_in_penumbra(i)) continue;
+            ++in_penumbra;
+            const double difference = std::abs(single.visible[i] - exact.visible[i]);
+            if (difference > 2e-5) ++by_other_lines;
+            EXPECT_LT(difference, 0.02);
+        }
+    }
+    EXPECT_GT(in_penumbra, 3000U);
+    EXPECT_LE(by_other_lines, 5U);
+}
+
+// A light that is seen at a ten-thousandth of a radian, behind bodies of 1 m whose edges cross it, at the origin and 5
+// km from it: floats would have two digits of it, if they were not of numbers that are relative to it.
+TEST(ShadowKernels, NarrowLightsKeepTheirDigits) {
+    constexpr double height = 50.0;
+    test::Numbers random(32);
+    std::size_t in_penumbra = 0;
+    for (const char* const shape : {"sphere:r=5mm", "disk:r=5mm", "rect:w=1cm,h=8mm", "tube:r=2mm,l=1cm"})
+        for (int i = 0; i < 12; ++i) {
+            const Vec origin = i % 2 == 0 ? Vec(0.0) : Vec(3000.0, -4000.0, 20.0);
+            const Vec middle = origin + Vec(0, 0, 0.5 * height);
+            const Light light = light_of(shape, "1000cd", origin + Vec(0, 0, height), {0, 0, -1});
+            const Ball around{light.frame.origin, 0.01};
+            std::vector<Primitive> bodies{Ball{middle, 0.5}};
+            if (i % 4 == 1) bodies = {Capsule{middle, {0, 1, 0}, 3.0, 0.5}};
+            if (i % 4 == 2) bodies = {panel_facing(middle, {0, 0, -1}, {0, 1, 0}, 1.0, 6.0)};
+            if (i % 4 == 3) bodies = {Box{{middle, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.5, 3.0, 0.2}}};
+            std::vector<ShadowBody> solids;
+            for (const Primitive& body : bodies)
+                solids.push_back(gonio::detail::shadow_body(body, around));
+            // Around where rays from the light's middle pass the edge.
+            double edge = 1.0;
+            if (i % 4 < 2) edge = height * std::tan(std::asin(0.5 / (0.5 * height)));
+            if (i % 4 == 3) edge = height * 0.5 / (0.5 * height - 0.2);
+            Receivers at(random, light);
+            for (std::size_t j = 0; j < receiver_count; ++j) {
+                const double x = edge + random.between(-0.006, 0.006);
+                const Vec position = origin + Vec(x, random.between(-0.01, 0.01), 0.0);
+                for (int axis = 0; axis < 3; ++axis) {
+                    at.numbers[static_cast<std::size_t>(axis)][j] = position[axis];
+                    at.numbers[static_cast<std::size_t>(3 + axis)][j] = axis == 2 ? 1.0 : 0.0;
+                }
+            }
+            const Shares single =
+                shares_of(simd::InstructionSet::scalar, gonio::detail::lined_light(light, around), solids, at);
+            const Shares exact = exact_shares_of(gonio::detail::lined_light(light, around), solids, at);
+            for (std::size_t j = 0; j < receiver_count; ++j) {
+                EXPECT_NEAR(single.visible[j], exact.visible[j], 1e-4) << shape << ' ' << i;
+                if (exact.is_in_penumbra(j)) ++in_penumbra;
+            }
+        }
+    EXPECT_GT(in_penumbra, 600U);
 }
 
 TEST(ShadowKernels, ShareDoesNotDependOnOtherReceivers) {
