@@ -1,12 +1,9 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/shadow_body.hpp>
+#include <gonio/scene/shadow_separation.hpp>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <variant>
 
 namespace gonio::detail {
@@ -19,37 +16,6 @@ void put_frame(Numbers& to, const Frame& frame) {
     put(to.y, frame.y);
     put(to.z, frame.z);
 }
-
-// The point of a solid or surface that is nearest to another; that point itself inside.
-struct NearestTo {
-    const glm::dvec3& point;
-
-    glm::dvec3 operator()(const Plane& plane) const {
-        return point - glm::dot(point - plane.point, plane.normal) * plane.normal;
-    }
-    glm::dvec3 operator()(const Panel& panel) const {
-        return in_box(panel.frame, {0.5 * panel.width, 0.5 * panel.height, 0.0});
-    }
-    glm::dvec3 operator()(const Ball& ball) const { return within(ball.center, ball.radius); }
-    glm::dvec3 operator()(const Box& box) const { return in_box(box.frame, box.half_size); }
-    glm::dvec3 operator()(const Capsule& capsule) const {
-        const double along =
-            std::clamp(glm::dot(point - capsule.center, capsule.axis), -capsule.half_length, capsule.half_length);
-        return within(capsule.center + along * capsule.axis, capsule.radius);
-    }
-
-private:
-    glm::dvec3 within(const glm::dvec3& center, double radius) const {
-        const glm::dvec3 off = point - center;
-        const double distance = glm::length(off);
-        return distance > radius ? center + radius / distance * off : point;
-    }
-    glm::dvec3 in_box(const Frame& frame, const glm::dvec3& half_size) const {
-        const glm::dvec3 local = frame.to_local(point - frame.origin);
-        const glm::dvec3 nearest = glm::clamp(local, -half_size, half_size);
-        return frame.origin + frame.x * nearest.x + frame.y * nearest.y + frame.z * nearest.z;
-    }
-};
 
 struct BodyNumbers {
     ShadowBody& to;
@@ -125,14 +91,14 @@ private:
 
 } // namespace
 
-ShadowBody shadow_body(const Primitive& body, const Ball& around_light) {
+ShadowBody shadow_body(const Primitive& body, const LinedLight& light) {
     ShadowBody numbers;
     std::visit(BodyNumbers{numbers}, body);
-    const glm::dvec3 nearest = std::visit(NearestTo{around_light.center}, body);
-    const glm::dvec3 to_light = around_light.center - nearest;
-    numbers.is_apart = glm::length(to_light) > around_light.radius;
-    put(numbers.nearest, nearest);
-    put(numbers.to_light, to_light);
+    if (const std::optional<Separation> between = separation(body, light)) {
+        numbers.is_apart = true;
+        put(numbers.between, between->point);
+        put(numbers.to_light, between->normal);
+    }
     if (const std::optional<Ball> around = bounds(body)) numbers.around = around->radius;
     return numbers;
 }

@@ -7,9 +7,9 @@
 
 namespace gonio::detail {
 
-// `around_light`: a sphere that the light lies in.
-ShadowBody shadow_body(const Primitive& body, const Ball& around_light);
-
+// `around`: a sphere that the light lies in.
 LinedLight lined_light(const Light& light, const Ball& around);
+
+ShadowBody shadow_body(const Primitive& body, const LinedLight& light);
 
 } // namespace gonio::detail

@@ -13,7 +13,7 @@ struct ShadowBody {
     enum class Kind : std::uint8_t { plane, panel, ball, box, capsule };
 
     Kind kind = Kind::plane;
-    // Whether it has no point in common with the bounding sphere of the light.
+    // Whether a plane is known that has it on one side and the light on the other.
     bool is_apart = false;
     double middle[3] = {}; // of a plane: a point of it
     // Unit. Planes and panels face along z, capsules extend along x.
@@ -23,8 +23,8 @@ struct ShadowBody {
     double half_size[3] = {}; // of a panel and a box; of a capsule, the first to the middles of its ends
     double radius = 0.0;      // of a ball and a capsule
     double around = 0.0;      // radius of the bounding sphere about the middle; not of planes
-    // If it is apart: its point nearest to the middle of the light's bounding sphere, and the way from there to it.
-    double nearest[3] = {};
+    // If it is apart: a point of that plane, and its normal of any length, towards the light.
+    double between[3] = {};
     double to_light[3] = {};
 };
 

@@ -464,11 +464,10 @@ GONIO_FORCE_INLINE auto with_section(const ShadowBody& body, const Work& work) {
     return work(static_cast<const CapsuleSection<S>*>(nullptr));
 }
 
-// Whether the body is before the light: the plane through its point nearest to the light, across the way to the
-// light's middle, separates the two.
+// Whether the receiver is on the body's side of the plane between it and the light.
 template<class D>
 GONIO_FORCE_INLINE simd::mask_of<D> is_before_light(const ShadowBody& body, const vec3<D>& receiver) {
-    return unfused::dot(receiver - spread<D>(body.nearest), spread<D>(body.to_light)) < D(0);
+    return unfused::dot(receiver - spread<D>(body.between), spread<D>(body.to_light)) < D(0);
 }
 
 } // namespace gonio::detail

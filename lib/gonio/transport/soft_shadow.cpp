@@ -35,9 +35,8 @@ std::span<const VisibleShare> SoftShadow::visible(std::size_t own, const ShadowP
     shares_.assign(points.size(), VisibleShare());
     if (shares_.empty() || bodies_[own].empty()) return shares_;
     numbers_.clear();
-    const Ball light{light_->reach.center, light_->reach.body_radius};
     for (const std::uint32_t i : bodies_[own])
-        numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, light));
+        numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, lined_));
     scratch_.resize(std::max(scratch_.size(), numbers_.size() * transport::shadow_scratch_bytes));
     for (std::size_t first = 0; first < points.size(); first += block)
         find(own, points, first, std::min(block, points.size() - first), with_luminance);

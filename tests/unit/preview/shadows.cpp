@@ -63,6 +63,10 @@ bool meets(const Primitive& body, const Vec& from, const Vec& way) {
     return std::visit([&](const auto& shape) { return before(distance_to(shape, ray)); }, body);
 }
 
+Vec vector(const double (&v)[3]) {
+    return {v[0], v[1], v[2]};
+}
+
 shading::vec3<double> numbers_of(const Vec& v) {
     return {v.x, v.y, v.z};
 }
@@ -78,7 +82,7 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         const Vec from = numbers.in_box(6.0) - receiver;
         const Vec to = numbers.in_box(6.0) - receiver;
         const detail::LightLineSeen<double> line(numbers_of(from), numbers_of(to));
-        const detail::ShadowBody solid = detail::shadow_body(body, Ball{});
+        const detail::ShadowBody solid = detail::shadow_body(body, detail::LinedLight());
         detail::with_hiding(solid, numbers_of(receiver), [&](const auto& hiding) {
             const detail::HiddenPiece<double> piece = hiding.hidden(line);
             for (int j = 0; j <= 40; ++j) {
@@ -95,26 +99,6 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         EXPECT_GT(count, 50);
 }
 
-// By directions to points of the ball's surface.
-TEST(ShadowLine, ABodyIsApartFromWhatItDoesNotTouch) {
-    Numbers numbers(6);
-    std::array<int, 2> found{};
-    for (int i = 0; i < 2000; ++i) {
-        const Primitive body = any_body(numbers, i % 5);
-        const Ball ball{numbers.in_box(3.0), 0.8};
-        const bool is_apart = detail::shadow_body(body, ball).is_apart;
-        ++found[is_apart ? 1 : 0];
-        if (!is_apart) continue;
-        EXPECT_FALSE(hides(body, ball.center) && !is_sheet(body)) << i;
-        for (int j = 0; j < 60; ++j) {
-            const Vec way = glm::normalize(numbers.in_box(1.0));
-            EXPECT_FALSE(meets(body, ball.center, ball.radius * way)) << "in case " << i;
-        }
-    }
-    EXPECT_GT(found[0], 50);
-    EXPECT_GT(found[1], 200);
-}
-
 const std::array<Light, 7>& lights() {
     static const std::array made{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
                                  light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
@@ -124,6 +108,35 @@ const std::array<Light, 7>& lights() {
                                  light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0}),
                                  light_of("cylinder:r=20cm,l=60cm", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};
     return made;
+}
+
+// By many points of the light, on both sides of the plane.
+TEST(ShadowBody, IsApartFromALightThatAPlaneParts) {
+    Numbers numbers(6);
+    std::array<int, 2> found{};
+    for (int i = 0; i < 7000; ++i) {
+        const Light& light = lights()[static_cast<std::size_t>(i) % lights().size()];
+        const Ball around{light.frame.origin, 1.01};
+        const Primitive body = any_body(numbers, i % 5);
+        const detail::ShadowBody solid = detail::shadow_body(body, detail::lined_light(light, around));
+        // The nearest that rays from anywhere meet the light, and through the body.
+        bool is_met = false;
+        for (int j = 0; j < 60 && !is_met; ++j) {
+            const Vec from = light.frame.origin + numbers.in_box(3.0);
+            const Vec way = light.frame.origin + numbers.in_box(1.0) - from;
+            const std::optional<double> reach = distance_to(light, {from, glm::normalize(way)});
+            if (!reach) continue;
+            const Vec at = from + *reach * glm::normalize(way);
+            if (solid.is_apart) {
+                EXPECT_GT(glm::dot(at - vector(solid.between), vector(solid.to_light)), 0.0) << i;
+            }
+            is_met = !is_sheet(body) && hides(body, at);
+        }
+        EXPECT_FALSE(is_met && solid.is_apart) << i;
+        ++found[solid.is_apart ? 1 : 0];
+    }
+    EXPECT_GT(found[0], 500);
+    EXPECT_GT(found[1], 3000);
 }
 
 detail::LightLines<double> lines_of(const detail::LinedLight& light, const Vec& point, const Vec& hint) {
@@ -166,11 +179,11 @@ TEST(ShadowSection, HiddenSlopesAreWhatRaysMeet) {
         const Light& light = lights()[static_cast<std::size_t>(i) % lights().size()];
         const Ball around{light.frame.origin, 1.01};
         const Primitive body = any_body(numbers, static_cast<int>(kind));
-        const detail::ShadowBody solid = detail::shadow_body(body, around);
+        const detail::LinedLight lined = detail::lined_light(light, around);
+        const detail::ShadowBody solid = detail::shadow_body(body, lined);
         const Vec receiver = numbers.in_box(6.0);
         if (!solid.is_apart || (kind > 1 && hides(body, receiver))) continue;
-        const detail::LightLines<double> lines =
-            lines_of(detail::lined_light(light, around), receiver, numbers.direction());
+        const detail::LightLines<double> lines = lines_of(lined, receiver, numbers.direction());
         if (!lines.frame.is_seen) continue;
         detail::with_section<double>(solid, [&]<class Section>(const Section* /*type*/) {
             double of_body[16] = {};

@@ -136,10 +136,11 @@ std::vector<Case> cases() {
     for (const auto& [light, radius] : lights)
         for (std::size_t i = 0; i < 40; ++i) {
             const Ball around{light.frame.origin, radius};
+            const gonio::detail::LinedLight lined = gonio::detail::lined_light(light, around);
             std::vector<ShadowBody> bodies;
             for (std::size_t body = 0; body <= i % 5; ++body)
-                bodies.push_back(gonio::detail::shadow_body(any_body(random), around));
-            made.push_back({gonio::detail::lined_light(light, around), bodies, Receivers(random, light)});
+                bodies.push_back(gonio::detail::shadow_body(any_body(random), lined));
+            made.push_back({lined, bodies, Receivers(random, light)});
         }
     return made;
 }
@@ -207,9 +208,10 @@ TEST(ShadowKernels, NarrowLightsKeepTheirDigits) {
             if (i % 4 == 1) bodies = {Capsule{middle, {0, 1, 0}, 3.0, 0.5}};
             if (i % 4 == 2) bodies = {panel_facing(middle, {0, 0, -1}, {0, 1, 0}, 1.0, 6.0)};
             if (i % 4 == 3) bodies = {Box{{middle, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.5, 3.0, 0.2}}};
+            const gonio::detail::LinedLight lined = gonio::detail::lined_light(light, around);
             std::vector<ShadowBody> solids;
             for (const Primitive& body : bodies)
-                solids.push_back(gonio::detail::shadow_body(body, around));
+                solids.push_back(gonio::detail::shadow_body(body, lined));
             // Around where rays from the light's middle pass the edge.
             double edge = 1.0;
             if (i % 4 < 2) edge = height * std::tan(std::asin(0.5 / (0.5 * height)));
@@ -223,9 +225,8 @@ TEST(ShadowKernels, NarrowLightsKeepTheirDigits) {
                     at.numbers[static_cast<std::size_t>(3 + axis)][j] = axis == 2 ? 1.0 : 0.0;
                 }
             }
-            const Shares single =
-                shares_of(simd::InstructionSet::scalar, gonio::detail::lined_light(light, around), solids, at);
-            const Shares exact = exact_shares_of(gonio::detail::lined_light(light, around), solids, at);
+            const Shares single = shares_of(simd::InstructionSet::scalar, lined, solids, at);
+            const Shares exact = exact_shares_of(lined, solids, at);
             for (std::size_t j = 0; j < receiver_count; ++j) {
                 EXPECT_NEAR(single.visible[j], exact.visible[j], 1e-4) << shape << ' ' << i;
                 if (exact.is_in_penumbra(j)) ++in_penumbra;
