@@ -28,16 +28,19 @@ struct CameraRow {
 
 // A primitive, as its place relative to the rays' origin.
 struct CameraTarget {
-    enum class Kind : std::uint8_t { plane, panel, ball };
+    enum class Kind : std::uint8_t { plane, panel, ball, box, capsule };
 
     Kind kind = Kind::plane;
-    double middle[3] = {}; // of a panel and a ball; of a panel in the coordinates of the stage
-    double x[3] = {};      // unit, with y in the panel
+    // Of a ball and a capsule. Of a panel in the coordinates of the stage. Of a box the rays' origin, from its middle
+    // and in its axes.
+    double middle[3] = {};
+    double x[3] = {}; // unit: y and normal with it of a panel and a box, the axis of a capsule
     double y[3] = {};
-    double normal[3] = {}; // unit, of planes and panels, which are met from its side
-    double height = 0.0;   // of their points along the normal
-    double half_size[2] = {};
+    double normal[3] = {};    // planes and panels are met from its side
+    double height = 0.0;      // of their points along the normal; of a capsule's middle along its axis
+    double half_size[3] = {}; // of a panel and a box; of a capsule, the first to the middles of its ends
     double radius = 0.0;
+    double ends[2][3] = {}; // the middles of a capsule's ends, the second along its axis
 };
 
 struct CameraKernels {

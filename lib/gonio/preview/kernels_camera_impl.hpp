@@ -64,33 +64,100 @@ GONIO_FORCE_INLINE S plane_entry(const CameraTarget& plane, const vec3<S>& direc
     return simd::select(is_facing, S(plane.height) / simd::select(is_facing, facing, S(-1)), S(0));
 }
 
+// approach() of scene/primitives.cpp.
 template<class S>
-void meet(const CameraTarget& target, const CameraRayArrays& rays, double number, double* distance, double* numbers) {
-    const vec3<S> middle = spread<S>(target.middle);
-    switch (target.kind) {
-    case CameraTarget::Kind::plane:
-        return meet_by<S>(rays, number, distance, numbers,
-                          [&](const vec3<S>& direction) { return plane_entry(target, direction); });
-    case CameraTarget::Kind::panel: {
-        const vec3<S> origin = spread<S>(rays.origin);
-        return meet_by<S>(rays, number, distance, numbers, [&](const vec3<S>& direction) {
-            const S t = plane_entry(target, direction);
-            const vec3<S> at = origin + direction * t - middle;
-            const auto is_within = simd::both(simd::abs(dot_as_glm(at, spread<S>(target.x))) <= S(target.half_size[0]),
-                                              simd::abs(dot_as_glm(at, spread<S>(target.y))) <= S(target.half_size[1]));
-            return simd::select(is_within, t, S(0));
-        });
+struct Approach {
+    S along;
+    S miss2;
+
+    GONIO_FORCE_INLINE Approach(const vec3<S>& to_point, const vec3<S>& direction)
+        : along(dot_as_glm(to_point, direction)) {
+        const vec3<S> miss = to_point - direction * along;
+        miss2 = dot_as_glm(miss, miss);
     }
-    case CameraTarget::Kind::ball:
-        break;
-    }
-    meet_by<S>(rays, number, distance, numbers, [&](const vec3<S>& direction) {
-        const S along = dot_as_glm(middle, direction);
-        const vec3<S> miss = middle - direction * along;
-        const S half_chord2 = S(target.radius) * S(target.radius) - dot_as_glm(miss, miss);
+    GONIO_FORCE_INLINE S entry(double radius) const {
+        const S half_chord2 = S(radius) * S(radius) - miss2;
         const auto is_met = half_chord2 >= S(0);
         return simd::select(is_met, along - simd::sqrt(simd::select(is_met, half_chord2, S(0))), S(0));
-    });
+    }
+};
+
+template<class S>
+GONIO_FORCE_INLINE S panel_entry(const CameraTarget& panel, const vec3<S>& origin, const vec3<S>& direction) {
+    const S t = plane_entry(panel, direction);
+    const vec3<S> at = origin + direction * t - spread<S>(panel.middle);
+    const auto is_within = simd::both(simd::abs(dot_as_glm(at, spread<S>(panel.x))) <= S(panel.half_size[0]),
+                                      simd::abs(dot_as_glm(at, spread<S>(panel.y))) <= S(panel.half_size[1]));
+    return simd::select(is_within, t, S(0));
+}
+
+template<class S>
+GONIO_FORCE_INLINE S box_entry(const CameraTarget& box, const vec3<S>& direction) {
+    const double* const axes[3] = {box.x, box.y, box.normal};
+    S entry(-__builtin_inf());
+    S exit(__builtin_inf());
+    auto is_between = S(0) <= S(0); // the planes that it is parallel to
+    for (int axis = 0; axis < 3; ++axis) {
+        const S along = dot_as_glm(direction, vec3<S>{S(axes[axis][0]), S(axes[axis][1]), S(axes[axis][2])});
+        const S origin(box.middle[axis]);
+        const S half(box.half_size[axis]);
+        const auto is_parallel = along == S(0);
+        const S per_along = simd::select(is_parallel, S(1), along);
+        const S towards = simd::copysign(half, along);
+        entry = simd::select(is_parallel, entry, simd::max(entry, (-towards - origin) / per_along));
+        exit = simd::select(is_parallel, exit, simd::min(exit, (towards - origin) / per_along));
+        is_between = simd::both(is_between, simd::either(!is_parallel, simd::abs(origin) < half));
+    }
+    return simd::select(simd::both(is_between, entry <= exit), entry, S(0));
+}
+
+template<class S>
+GONIO_FORCE_INLINE S capsule_entry(const CameraTarget& capsule, const vec3<S>& direction) {
+    const vec3<S> middle = spread<S>(capsule.middle);
+    const double reach = capsule.half_size[0] + capsule.radius;
+    const auto is_near = Approach<S>(middle, direction).miss2 <= S(reach * reach);
+    if (!simd::any(is_near)) return S(0);
+    const vec3<S> axis = spread<S>(capsule.x);
+    const S height(capsule.height);
+    const S along_axis = dot_as_glm(direction, axis);
+    const vec3<S> across = direction - axis * along_axis;
+    const S speed2 = dot_as_glm(across, across);
+    const auto is_turned = speed2 > S(1e-20);
+    const S per = simd::select(is_turned, speed2, S(1));
+    const S closest = dot_as_glm(middle, across) / per;
+    const vec3<S> miss = middle - axis * height - across * closest;
+    const S half_chord2 = (S(capsule.radius) * S(capsule.radius) - dot_as_glm(miss, miss)) / per;
+    const auto is_met = half_chord2 >= S(0);
+    const S t = closest - simd::sqrt(simd::select(is_met, half_chord2, S(0)));
+    const S at = t * along_axis - height;
+    const auto on_side = simd::both(is_turned, simd::abs(at) <= S(capsule.half_size[0]));
+    const auto is_first = simd::either(simd::both(is_turned, at < S(0)), simd::both(!is_turned, along_axis >= S(0)));
+    const vec3<S> end = shading::select<S>(is_first, spread<S>(capsule.ends[0]), spread<S>(capsule.ends[1]));
+    const S of_end = Approach<S>(end, direction).entry(capsule.radius);
+    const auto may_meet = simd::both(is_near, simd::either(!is_turned, is_met));
+    return simd::select(may_meet, simd::select(on_side, t, of_end), S(0));
+}
+
+template<class S>
+void meet(const CameraTarget& target, const CameraRayArrays& rays, double number, double* distance, double* numbers) {
+    const auto meet_at = [&](const auto& entry) { meet_by<S>(rays, number, distance, numbers, entry); };
+    switch (target.kind) {
+    case CameraTarget::Kind::plane:
+        return meet_at([&](const vec3<S>& direction) { return plane_entry(target, direction); });
+    case CameraTarget::Kind::panel: {
+        const vec3<S> origin = spread<S>(rays.origin);
+        return meet_at([&](const vec3<S>& direction) { return panel_entry(target, origin, direction); });
+    }
+    case CameraTarget::Kind::ball: {
+        const vec3<S> middle = spread<S>(target.middle);
+        return meet_at([&](const vec3<S>& direction) { return Approach<S>(middle, direction).entry(target.radius); });
+    }
+    case CameraTarget::Kind::box:
+        return meet_at([&](const vec3<S>& direction) { return box_entry(target, direction); });
+    case CameraTarget::Kind::capsule:
+        break;
+    }
+    meet_at([&](const vec3<S>& direction) { return capsule_entry(target, direction); });
 }
 
 // Loops that compilers turn into packs of the set.

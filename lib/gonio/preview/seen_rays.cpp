@@ -12,34 +12,69 @@ namespace gonio::detail {
 
 namespace {
 
-// The primitives that the kernels know.
-std::optional<preview::CameraTarget> target_of(const Primitive& primitive, const glm::dvec3& eye) {
-    using preview::CameraTarget;
-    CameraTarget target;
-    const auto set_plane = [&](const glm::dvec3& point, const glm::dvec3& normal) {
-        put(target.normal, normal);
-        target.height = glm::dot(point - eye, normal);
-    };
-    if (const auto* const plane = std::get_if<Plane>(&primitive)) {
-        target.kind = CameraTarget::Kind::plane;
-        set_plane(plane->point, plane->normal);
-    } else if (const auto* const panel = std::get_if<Panel>(&primitive)) {
-        target.kind = CameraTarget::Kind::panel;
-        set_plane(panel->frame.origin, panel->frame.z);
-        put(target.middle, panel->frame.origin);
-        put(target.x, panel->frame.x);
-        put(target.y, panel->frame.y);
-        target.half_size[0] = 0.5 * panel->width;
-        target.half_size[1] = 0.5 * panel->height;
-    } else if (const auto* const ball = std::get_if<Ball>(&primitive)) {
-        target.kind = CameraTarget::Kind::ball;
-        put(target.middle, ball->center - eye);
-        target.radius = ball->radius;
-    } else {
-        return std::nullopt;
+class TargetFrom {
+public:
+    explicit TargetFrom(const glm::dvec3& eye) : eye_(eye) {}
+
+    preview::CameraTarget operator()(const Plane& plane) const {
+        preview::CameraTarget target;
+        target.kind = Kind::plane;
+        set_plane(target, plane.point, plane.normal);
+        return target;
     }
-    return target;
-}
+    preview::CameraTarget operator()(const Panel& panel) const {
+        preview::CameraTarget target;
+        target.kind = Kind::panel;
+        set_plane(target, panel.frame.origin, panel.frame.z);
+        put(target.middle, panel.frame.origin);
+        put(target.x, panel.frame.x);
+        put(target.y, panel.frame.y);
+        put(target.half_size, {0.5 * panel.width, 0.5 * panel.height, 0.0});
+        return target;
+    }
+    preview::CameraTarget operator()(const Ball& ball) const {
+        preview::CameraTarget target;
+        target.kind = Kind::ball;
+        put(target.middle, ball.center - eye_);
+        target.radius = ball.radius;
+        return target;
+    }
+    preview::CameraTarget operator()(const Box& box) const {
+        preview::CameraTarget target;
+        target.kind = Kind::box;
+        put(target.middle, box.frame.to_local(eye_ - box.frame.origin));
+        put(target.x, box.frame.x);
+        put(target.y, box.frame.y);
+        put(target.normal, box.frame.z);
+        put(target.half_size, box.half_size);
+        return target;
+    }
+    preview::CameraTarget operator()(const Capsule& capsule) const {
+        preview::CameraTarget target;
+        target.kind = Kind::capsule;
+        const glm::dvec3 to_center = capsule.center - eye_;
+        put(target.middle, to_center);
+        put(target.x, capsule.axis);
+        target.height = glm::dot(to_center, capsule.axis);
+        target.half_size[0] = capsule.half_length;
+        target.radius = capsule.radius;
+        for (int end = 0; end < 2; ++end) {
+            const double along = (end == 0 ? -1.0 : 1.0) * capsule.half_length;
+            put(target.ends[end], capsule.center + along * capsule.axis - eye_);
+        }
+        return target;
+    }
+
+private:
+    using Kind = preview::CameraTarget::Kind;
+
+    void set_plane(preview::CameraTarget& target, const glm::dvec3& point, const glm::dvec3& normal) const {
+        put(target.normal, normal);
+        target.height = glm::dot(point - eye_, normal);
+    }
+
+    const glm::dvec3& eye_;
+};
 
 } // namespace
 
@@ -80,10 +115,8 @@ void SeenRays::cast(std::span<const std::uint32_t> surfaces, std::span<const std
     bool has_faces = false;
     for (const std::uint32_t i : surfaces) {
         const Primitive& geometry = scene_.stage.surfaces[i].geometry;
-        if (const std::optional<preview::CameraTarget> target = target_of(geometry, rays_.origin))
-            scene_.kernels.meet(*target, all, i, first_.distance.data(), first_.number.data());
-        else
-            meet_first(geometry, rays_, i, first_);
+        scene_.kernels.meet(std::visit(TargetFrom(rays_.origin), geometry), all, i, first_.distance.data(),
+                            first_.number.data());
         has_faces = has_faces || std::holds_alternative<Box>(geometry);
     }
     kind_.resize(rays_.size());

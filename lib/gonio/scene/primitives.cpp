@@ -1,5 +1,4 @@
 #include <gonio/scene/primitives.hpp>
-#include <gonio/scene/rays_from.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -25,7 +24,7 @@ Approach approach(const glm::dvec3& to_point, const glm::dvec3& direction) {
     return {along, glm::dot(miss, miss)};
 }
 
-// Distances along a ray to where it enters a shape; 0 where it does not. Inline, since pictures ask for many.
+// Distances along a ray to where it enters a shape; 0 where it does not. In packs: preview/kernels_camera_impl.hpp.
 
 inline double ahead(double t) {
     return t > 0.0 ? t : 0.0;
@@ -185,19 +184,6 @@ std::optional<double> distance_to(const Box& box, const Ray& ray) {
 
 std::optional<double> distance_to(const Capsule& capsule, const Ray& ray) {
     return found(capsule, ray);
-}
-
-void detail::meet_first(const Primitive& primitive, const RaysFrom& rays, std::uint32_t number, FirstMet& first) {
-    std::visit(
-        [&](const auto& shape) {
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                const double t = entry(shape, rays.at(i));
-                if (!(t > 0.0 && t < first.distance[i])) continue;
-                first.distance[i] = t;
-                first.number[i] = number;
-            }
-        },
-        primitive);
 }
 
 bool is_sheet(const Primitive& primitive) {

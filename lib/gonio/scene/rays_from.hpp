@@ -1,4 +1,4 @@
-// Many rays from one point against a stage, primitive by primitive; hits are those of first_hit() to the last bit.
+// Many rays from one point, and what they meet of a stage: the hits of first_hit() to the last bit.
 #pragma once
 
 #include <gonio/scene/camera.hpp>
@@ -8,7 +8,6 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -42,9 +41,6 @@ struct FirstMet {
         number.assign(rays, 0.0);
     }
 };
-
-// Notes `number` for the rays that meet the primitive before what they met first until now.
-void meet_first(const Primitive& primitive, const RaysFrom& rays, std::uint32_t number, FirstMet& first);
 
 // The hit of a ray that meets a surface of the stage at this distance.
 Hit hit_on(const Stage& stage, std::size_t surface, double distance, const Ray& ray);

@@ -7,11 +7,12 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace gonio {
@@ -50,7 +51,7 @@ TEST(CameraKernels, SeeWhatSingleRaysSee) {
         seen.begin_grid(-0.5, -0.5, columns, rows);
         seen.cast(all, {});
         std::size_t met = 0;
-        std::array<std::size_t, 3> of_kind{};
+        std::array<std::size_t, std::variant_size_v<Primitive>> of_kind{};
         for (std::size_t i = 0; i < seen.size(); ++i) {
             const Ray ray = rays.ray(static_cast<double>(i % columns) - 0.5, static_cast<double>(i / columns) - 0.5);
             ASSERT_EQ(seen.view_of(i), -ray.direction) << simd::to_text(set) << ' ' << i;
@@ -58,7 +59,7 @@ TEST(CameraKernels, SeeWhatSingleRaysSee) {
             ASSERT_EQ(seen.is_surface(i), hit.has_value()) << simd::to_text(set) << ' ' << i;
             if (!hit) continue;
             ++met;
-            of_kind.at(std::min<std::size_t>(stage.surfaces[hit->surface].geometry.index(), 2)) += 1;
+            of_kind.at(stage.surfaces[hit->surface].geometry.index()) += 1;
             ASSERT_EQ(seen.surface_of(i), hit->surface) << simd::to_text(set) << ' ' << i;
             ASSERT_EQ(seen.position_of(i), hit->position) << simd::to_text(set) << ' ' << i;
             ASSERT_EQ(seen.at(i).hit.face, hit->face) << simd::to_text(set) << ' ' << i;
@@ -98,6 +99,51 @@ TEST(CameraKernels, SeeWhatSingleRaysSee) {
                 outlines += changes[at];
             }
         EXPECT_GT(outlines, 50U);
+    }
+}
+
+// Rays along faces and axes, where nothing may be divided by.
+TEST(CameraKernels, MeetWhatTheyRunAlong) {
+    const Camera camera{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, 55.0};
+    const Frame upright{{0.0, 0.0, 3.0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Frame beside = upright;
+    beside.origin = {1.0, 0.0, 0.5}; // the eye is in the plane of one of its faces
+    Stage stage;
+    for (const Primitive& geometry : std::initializer_list<Primitive>{
+             Box{upright, {1.0, 1.0, 1.0}}, Box{beside, {1.0, 0.2, 0.2}},
+             Capsule{{0.0, 0.0, -5.0}, {0, 0, 1}, 1.0, 0.3}, Capsule{{0.2, 0.0, -9.0}, {0, 0, -1}, 1.0, 0.3},
+             Capsule{{-4.0, 0.0, 0.0}, {1, 0, 0}, 1.0, 0.3}})
+        stage.surfaces.push_back({"", geometry, {}});
+    std::vector<glm::dvec3> directions;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {-1.0, 1.0}) {
+            glm::dvec3 direction(0.0);
+            direction[axis] = sign;
+            directions.push_back(direction);
+        }
+    for (const glm::dvec3& way : {glm::dvec3(0.0, 0.6, 0.8), glm::dvec3(-1.0, 0.0, 1e-11), glm::dvec3(0.02, 0.0, -1.0)})
+        directions.push_back(glm::normalize(way));
+    const CameraRays rays(camera, 3, 3);
+    const detail::LightTree no_bodies({});
+    const EmittedLights no_emitted;
+    const std::vector<std::uint32_t> all{0, 1, 2, 3, 4};
+    for (const simd::InstructionSet set : simd::available_sets()) {
+        const detail::RayScene scene{stage, {}, rays, no_bodies, no_emitted, 3, 3, preview::camera_kernels(set)};
+        detail::SeenRays seen(scene);
+        detail::RaysFrom& cast = seen.begin(directions.size());
+        for (std::size_t i = 0; i < directions.size(); ++i)
+            cast.set(i, {{0.0, 0.0, 0.0}, directions[i]});
+        seen.cast(all, {});
+        std::size_t met = 0;
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const std::optional<Hit> hit = first_hit(stage, {{0.0, 0.0, 0.0}, directions[i]});
+            ASSERT_EQ(seen.is_surface(i), hit.has_value()) << simd::to_text(set) << ' ' << i;
+            if (!hit) continue;
+            ++met;
+            EXPECT_EQ(seen.surface_of(i), hit->surface) << simd::to_text(set) << ' ' << i;
+            EXPECT_EQ(seen.position_of(i), hit->position) << simd::to_text(set) << ' ' << i;
+        }
+        EXPECT_GT(met, 4U);
     }
 }
 
