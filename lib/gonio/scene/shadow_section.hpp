@@ -335,6 +335,7 @@ public:
         return power > D(0);
     }
 
+    BallSection() = default;
     GONIO_FORCE_INLINE BallSection(const ShadowBody& ball, const S* from, S rise)
         : BallSection(framed_at(from), from[3], spread<S>(ball.radius), rise) {}
     GONIO_FORCE_INLINE BallSection(const InLineFrame<S>& center, S tangent, S radius, S rise)
@@ -383,7 +384,7 @@ private:
 template<class S>
 class CapsuleSection {
 public:
-    static constexpr std::size_t numbers = 15;
+    static constexpr std::size_t numbers = 8;
     static constexpr std::size_t half_axes = 1;
 
     template<class D>
@@ -392,41 +393,42 @@ public:
         const vec3<D> center = spread<D>(capsule.middle) - receiver;
         const vec3<D> axis = spread<D>(capsule.x);
         const D half = spread<D>(capsule.half_size[0]);
-        const D radius = spread<D>(capsule.radius);
         const D along = unfused::dot(center, axis);
         const vec3<D> across = center - axis * along;
-        const D distance2 = unfused::dot(across, across);
-        const D power = distance2 - radius * radius; // of the endless cylinder
-        const D tangent = simd::sqrt(simd::max(power, D(0)));
-        const D per_distance2 = D(1) / distance2;
-        const InLineFrame<D> middle = frame.in_frame(center);
-        const InLineFrame<D> framed_axis = frame.in_frame(axis);
-        const InLineFrame<D> towards = middle - framed_axis * along;
-        const InLineFrame<D> sideways =
-            frame.in_frame(unfused::cross(axis, across)) * (radius * tangent * per_distance2);
-        // The middles of the two lines: along − r²/d² of the way across the axis is what the ray is short of it.
-        const InLineFrame<D> touched = middle - towards * (radius * radius * per_distance2);
-        put_framed(middle, to);
-        put_framed(framed_axis * half, to + 3);
-        put_framed(touched - sideways, to + 6);
-        put_framed(touched + sideways, to + 9);
-        const auto has_side = power > D(0);
-        to[12] = simd::select(has_side, D(1), D(0));
-        for (int i = 0; i < 2; ++i) {
-            const D to_end = i == 0 ? along - half : along + half;
-            to[13 + i] = simd::sqrt(simd::max(power + to_end * to_end, D(0)));
-        }
+        const D power = unfused::dot(across, across) - spread<D>(capsule.radius * capsule.radius);
+        put_framed(frame.in_frame(center), to);
+        put_framed(frame.in_frame(axis * half), to + 3);
+        to[6] = along;
+        to[7] = power;                                             // of the receiver, to the endless cylinder
         const D beyond = simd::max(simd::abs(along) - half, D(0)); // of its nearest end
         return power + beyond * beyond > D(0);
     }
 
-    GONIO_FORCE_INLINE CapsuleSection(const ShadowBody& capsule, const S* from, S rise)
-        : has_side_(from[12] == S(1)),
-          ends_{{framed_at(from) - framed_at(from + 3), from[13], spread<S>(capsule.radius), rise},
-                {framed_at(from) + framed_at(from + 3), from[14], spread<S>(capsule.radius), rise}} {
+    GONIO_FORCE_INLINE CapsuleSection(const ShadowBody& capsule, const S* from, S rise) {
+        const InLineFrame<S> middle = framed_at(from);
+        const InLineFrame<S> half_axis = framed_at(from + 3);
+        const S half = spread<S>(capsule.half_size[0]);
+        const S radius = spread<S>(capsule.radius);
+        const S along = from[6];
+        const S power = from[7];
+        const S radius2 = radius * radius;
+        has_side_ = power > S(0);
         for (int i = 0; i < 2; ++i) {
-            edges_[i][0] = framed_at(from + 6 + 3 * i) - framed_at(from + 3);
-            edges_[i][1] = framed_at(from + 6 + 3 * i) + framed_at(from + 3);
+            const S to_end = i == 0 ? along - half : along + half;
+            const S tangent = simd::sqrt(simd::max(power + to_end * to_end, S(0)));
+            ends_[i] = BallSection<S>(i == 0 ? middle - half_axis : middle + half_axis, tangent, radius, rise);
+        }
+        // A ray across the axis, from its middle on: r²/d² of it short of the axis, and turned to the sides.
+        const InLineFrame<S> axis = half_axis * spread<S>(1.0 / capsule.half_size[0]);
+        const InLineFrame<S> towards = middle - axis * along;
+        const S per_distance2 = S(1) / simd::select(has_side_, power + radius2, S(1));
+        const S aside = radius * simd::sqrt(simd::max(power, S(0))) * per_distance2;
+        const InLineFrame<S> touched = middle - towards * (radius2 * per_distance2);
+        const InLineFrame<S> sideways = across(axis, towards, rise) * aside;
+        for (int i = 0; i < 2; ++i) {
+            const InLineFrame<S> at = i == 0 ? touched - sideways : touched + sideways;
+            edges_[i][0] = at - half_axis;
+            edges_[i][1] = at + half_axis;
         }
     }
 
@@ -441,6 +443,14 @@ public:
     }
 
 private:
+    // The product of two vectors across both.
+    GONIO_FORCE_INLINE static InLineFrame<S> across(const InLineFrame<S>& a, const InLineFrame<S>& b, S rise) {
+        const S a_up = a.above + rise * a.forward;
+        const S b_up = b.above + rise * b.forward;
+        const S forward = a.side * b_up - a_up * b.side;
+        return {forward, a_up * b.forward - a.forward * b_up, a.forward * b.side - a.side * b.forward - rise * forward};
+    }
+
     simd::mask_of<S> has_side_; // the receiver is outside of the endless cylinder
     BallSection<S> ends_[2];
     InLineFrame<S> edges_[2][2];
