@@ -19,6 +19,7 @@
 #include <gonio/simd/doubles_math.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 
 namespace gonio::detail {
 
@@ -53,17 +54,13 @@ struct LightFrame {
     }
     // All but `is_seen` as numbers, and from them.
     GONIO_FORCE_INLINE void put(S* to) const {
-        const vec3<S>* const vectors[3] = {&axis, &forward, &side};
-        for (int i = 0; i < 3; ++i) {
-            to[3 * i] = vectors[i]->x;
-            to[3 * i + 1] = vectors[i]->y;
-            to[3 * i + 2] = vectors[i]->z;
+        for (const vec3<S>& v : {axis, forward, side}) {
+            *to++ = v.x;
+            *to++ = v.y;
+            *to++ = v.z;
         }
-        to[9] = rise;
-        to[10] = along;
-        to[11] = across;
-        to[12] = before;
-        to[13] = half_length;
+        for (const S number : {rise, along, across, before, half_length})
+            *to++ = number;
     }
     GONIO_FORCE_INLINE static LightFrame of(const S* n, simd::mask_of<S> is_seen) {
         return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9], n[10], n[11], n[12], n[13], is_seen};
@@ -326,14 +323,14 @@ private:
         const S turn = S(2) * simd::arc_sine(half_step.sine);
         // The direction to that side, turned step by step.
         Turn towards = Turn{height, side} * half_step;
-        for (std::size_t i = 0; i < light_line_count; ++i) {
+        for (LightLine<S>& line : lines_) {
             const S off =
                 simd::max(simd::min(height * (towards.sine / towards.cosine) - middle, half_width), -half_width);
             towards = towards * whole_step;
             S low(-1e30F);
             S high(1e30F);
             const auto clip = [&](S along, S at, S half) {
-                const auto cuts = simd::abs(along) >= S(1e-12F);
+                const auto cuts = simd::abs(along) >= S(1e-6F); // else by rounding
                 const S per_along = S(1) / simd::select(cuts, along, S(1));
                 const S end = simd::copysign(half, along);
                 low = simd::select(cuts, simd::max(low, (-end - at) * per_along), low);
@@ -341,8 +338,8 @@ private:
             };
             clip(axis_x, off * other_x, half_x);
             clip(axis_y, off * other_y, half_y);
-            set_flat(lines_[i], other_in_frame, off, low, simd::max(low, high), S(1));
-            lines_[i].turn = turn;
+            set_flat(line, other_in_frame, off, low, simd::max(low, high), S(1));
+            line.turn = turn;
         }
     }
 

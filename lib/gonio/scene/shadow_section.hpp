@@ -2,8 +2,8 @@
 // each line. The object is put into the frame of the lines (light_lines.hpp) once; a plane then cuts it with few
 // products, and no depth is compared, since an object apart from the light is either before all of it or behind.
 //
-// `Framed…` is the object in the frame, in D: double or simd::doubles, so that no digits are lost of what is near. Its
-// numbers, rounded to S (float, double or a pack), give the section: `…Section`.
+// put() writes what describes the object in the frame in D: double or simd::doubles, so that no digits are lost of what
+// is near. These numbers, rounded to S (float, double or a pack), make the section.
 #pragma once
 
 #include <gonio/scene/light_lines.hpp>
@@ -437,8 +437,8 @@ public:
         const EdgeCut<S> second(CutPoint<S>(line, edges_[1][0]), CutPoint<S>(line, edges_[1][1]));
         CoveredAngle<S> covered(simd::both(has_side_, first.is_cut), first.direction, first.direction);
         covered.take(simd::both(has_side_, second.is_cut), second.direction);
-        for (int i = 0; i < 2; ++i)
-            ends_[i].take(covered, line);
+        for (const BallSection<S>& end : ends_)
+            end.take(covered, line);
         return covered.hidden(line);
     }
 

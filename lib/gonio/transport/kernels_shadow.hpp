@@ -38,8 +38,8 @@ struct ShadowShares {
     double* towards[3] = {};
 };
 
-// Bytes of scratch memory for each body: for up to 16 lanes a mark and its numbers, in double, and the two ends of one piece
-// of each line.
+// Bytes of scratch memory for each body: for up to 16 lanes a mark and its numbers, in double, and the two ends of one
+// piece of each line.
 inline constexpr std::size_t shadow_scratch_bytes =
     16 * ((1 + ShadowShares::numbers_of_body) * sizeof(double) + 2 * ShadowShares::lines * sizeof(float));
 
