@@ -33,9 +33,9 @@ struct ShadowShares {
     // Optional, for receivers that see the light in part (of others they have no meaning): of each cell its visible
     // share, solid angle [sr] and the unit direction to its middle, at [cell · stride + receiver].
     std::size_t stride = 0;
-    double* seen = nullptr;
-    double* solid_angle = nullptr;
-    double* towards[3] = {};
+    float* seen = nullptr;
+    float* solid_angle = nullptr;
+    float* towards[3] = {};
 };
 
 // Bytes of scratch memory for each body: for up to 16 lanes a mark and its numbers, in double, and the two ends of one

@@ -11,6 +11,7 @@
 #include <gonio/transport/kernels_shadow.hpp>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace gonio::transport::detail {
 
@@ -165,6 +166,12 @@ private:
         simd::store_widened(value, wide);
         for (std::size_t i = 0; i < packet.count; ++i)
             to[packet.first + i] = wide[i];
+    }
+    GONIO_FORCE_INLINE static void store(const Packet& packet, S value, float* to) {
+        if constexpr (std::is_same_v<simd::value_of<S>, float>)
+            packet.store(value, to);
+        else
+            to[packet.first] = static_cast<float>(value);
     }
     // A number of all lanes from the halves' and the other way round: get(half), put(half, number).
     template<class Get>

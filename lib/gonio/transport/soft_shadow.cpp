@@ -93,28 +93,37 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
 void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
     constexpr std::size_t all = ShadowShares::cells * block;
     for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
-        const double* const at = cells_.data() + cell * block + i;
+        const float* const at = cells_.data() + cell * block + i;
         seen_[cell] = at[0];
-        towards_[cell] = {at[2 * all], at[3 * all], at[4 * all]};
-        light_of_[cell] = at[all] * (light_->luminance ? light_->luminance->towards(point, towards_[cell]) : 1.0);
+        light_of_[cell] = at[all];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            towards_[axis][cell] = at[(2 + axis) * all];
+    }
+    if (!light_->luminance) return;
+    for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
+        const glm::dvec3 towards(towards_[0][cell], towards_[1][cell], towards_[2][cell]);
+        light_of_[cell] *= static_cast<float>(light_->luminance->towards(point, towards));
     }
 }
 
 // The share of the illuminance of a light whose luminance is not the same everywhere.
 double SoftShadow::integrated(const glm::dvec3& normal) const {
-    double all = 0.0;
-    double seen = 0.0;
-    double all_above = 0.0;
-    double seen_above = 0.0;
+    const glm::vec3 n(normal);
+    float all = 0.0F;
+    float seen = 0.0F;
+    float all_above = 0.0F;
+    float seen_above = 0.0F;
     for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
-        const double weight = light_of_[cell] * std::max(glm::dot(normal, towards_[cell]), 0.0);
+        const float cosine = n.x * towards_[0][cell] + n.y * towards_[1][cell] + n.z * towards_[2][cell];
+        const float weight = light_of_[cell] * std::max(cosine, 0.0F);
         all += light_of_[cell];
         seen += light_of_[cell] * seen_[cell];
         all_above += weight;
         seen_above += weight * seen_[cell];
     }
-    if (all_above > 0.0) return std::min(seen_above / all_above, 1.0);
-    return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that contains no cell's middle
+    if (all_above > 0.0F) return std::min(static_cast<double>(seen_above) / static_cast<double>(all_above), 1.0);
+    // A sliver above the horizon that contains no cell's middle.
+    return all > 0.0F ? std::min(static_cast<double>(seen) / static_cast<double>(all), 1.0) : 1.0;
 }
 
 // A uniform sphere light behind a sphere or a capsule: the light wholly above the horizon, the occluder in front of it.
@@ -159,27 +168,27 @@ glm::vec3 SoftShadow::visible_luminance(std::size_t own, const glm::dvec3& point
         frame.x = vec(grain_of(0.0).along(vec(normal)));
         frame.y = glm::cross(frame.z, frame.x);
     }
-    const glm::dvec3 to_eye = frame.to_local(view);
-    std::array<std::array<float, count>, 3> lights{};
-    std::array<std::array<float, count>, 3> eyes{};
-    std::array<std::array<float, count>, 3> reflectance{};
-    for (std::size_t cell = 0; cell < count; ++cell) {
-        const glm::dvec3 to_light = frame.to_local(towards_[cell]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            lights[axis][cell] = static_cast<float>(to_light[static_cast<int>(axis)]);
-            eyes[axis][cell] = static_cast<float>(to_eye[static_cast<int>(axis)]);
-        }
+    const glm::vec3 to_eye(frame.to_local(view));
+    std::array<OfCells, 3> lights;
+    std::array<OfCells, 3> eyes;
+    std::array<OfCells, 3> reflectance;
+    const std::array<glm::vec3, 3> axes{glm::vec3(frame.x), glm::vec3(frame.y), glm::vec3(frame.z)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t cell = 0; cell < count; ++cell)
+            lights[axis][cell] =
+                axes[axis].x * towards_[0][cell] + axes[axis].y * towards_[1][cell] + axes[axis].z * towards_[2][cell];
+        eyes[axis].fill(to_eye[static_cast<int>(axis)]);
     }
     float* const rgb[3] = {reflectance[0].data(), reflectance[1].data(), reflectance[2].data()};
     reflectance_.brdf({{lights[0].data(), lights[1].data(), lights[2].data()},
                        {eyes[0].data(), eyes[1].data(), eyes[2].data()},
                        count},
                       scene_.materials[own], rgb);
-    glm::dvec3 all(0.0);
-    glm::dvec3 seen(0.0);
+    glm::vec3 all(0.0F);
+    glm::vec3 seen(0.0F);
     for (std::size_t cell = 0; cell < count; ++cell) {
-        const double light = light_of_[cell] * std::max(static_cast<double>(lights[2][cell]), 0.0);
-        const glm::dvec3 value = light * glm::dvec3(reflectance[0][cell], reflectance[1][cell], reflectance[2][cell]);
+        const float light = light_of_[cell] * std::max(lights[2][cell], 0.0F);
+        const glm::vec3 value = light * glm::vec3(reflectance[0][cell], reflectance[1][cell], reflectance[2][cell]);
         all += value;
         seen += value * seen_[cell];
     }
@@ -187,8 +196,9 @@ glm::vec3 SoftShadow::visible_luminance(std::size_t own, const glm::dvec3& point
     const double mended = by_lines > 0.0 ? share / by_lines : 1.0;
     glm::vec3 shares(static_cast<float>(share));
     for (int channel = 0; channel < 3; ++channel)
-        if (all[channel] > 0.0)
-            shares[channel] = static_cast<float>(std::clamp(mended * seen[channel] / all[channel], 0.0, 1.0));
+        if (all[channel] > 0.0F)
+            shares[channel] =
+                static_cast<float>(std::clamp(mended * static_cast<double>(seen[channel] / all[channel]), 0.0, 1.0));
     return shares;
 }
 

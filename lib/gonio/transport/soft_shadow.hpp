@@ -107,14 +107,13 @@ private:
     std::vector<std::byte> scratch_;
     std::array<double, block> visible_{};
     std::array<double, block> hiding_{};
-    std::vector<double> cells_; // their visible shares, solid angles and directions
+    std::vector<float> cells_; // their visible shares, solid angles and directions
 
     // Of one point:
-    template<class T>
-    using OfCells = std::array<T, transport::ShadowShares::cells>;
-    OfCells<double> seen_{};
-    OfCells<double> light_of_{}; // its solid angle times its luminance over the mean
-    OfCells<glm::dvec3> towards_{};
+    using OfCells = std::array<float, transport::ShadowShares::cells>;
+    OfCells seen_{};
+    OfCells light_of_{}; // its solid angle times its luminance over the mean
+    std::array<OfCells, 3> towards_{};
 };
 
 } // namespace gonio::detail

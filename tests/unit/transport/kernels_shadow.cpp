@@ -59,7 +59,7 @@ struct Receivers {
 struct Shares {
     std::vector<double> visible = std::vector<double>(receiver_count);
     std::vector<double> hiding = std::vector<double>(receiver_count);
-    std::array<std::vector<double>, 5> cells;
+    std::array<std::vector<float>, 5> cells;
 
     bool is_in_penumbra(std::size_t i) const { return visible[i] > 0.0 && visible[i] < 1.0; }
 };
@@ -74,7 +74,7 @@ Shares shares_by(const Kernel& visible_shares, const gonio::detail::LinedLight& 
     }
     receivers.count = receiver_count;
     Shares shares;
-    for (std::vector<double>& cells : shares.cells)
+    for (std::vector<float>& cells : shares.cells)
         cells.resize(ShadowShares::cells * receiver_count);
     ShadowShares to;
     to.visible = shares.visible.data();
