@@ -12,69 +12,61 @@ namespace gonio::detail {
 
 namespace {
 
-class TargetFrom {
-public:
-    explicit TargetFrom(const glm::dvec3& eye) : eye_(eye) {}
+struct TargetNumbers {
+    const glm::dvec3& eye;
+    preview::CameraTarget& to;
 
-    preview::CameraTarget operator()(const Plane& plane) const {
-        preview::CameraTarget target;
-        target.kind = Kind::plane;
-        set_plane(target, plane.point, plane.normal);
-        return target;
+    using Kind = preview::CameraTarget::Kind;
+
+    void operator()(const Plane& plane) const {
+        to.kind = Kind::plane;
+        put_plane(plane.point, plane.normal);
     }
-    preview::CameraTarget operator()(const Panel& panel) const {
-        preview::CameraTarget target;
-        target.kind = Kind::panel;
-        set_plane(target, panel.frame.origin, panel.frame.z);
-        put(target.middle, panel.frame.origin);
-        put(target.x, panel.frame.x);
-        put(target.y, panel.frame.y);
-        put(target.half_size, {0.5 * panel.width, 0.5 * panel.height, 0.0});
-        return target;
+    void operator()(const Panel& panel) const {
+        to.kind = Kind::panel;
+        put_plane(panel.frame.origin, panel.frame.z);
+        put(to.middle, panel.frame.origin);
+        put(to.x, panel.frame.x);
+        put(to.y, panel.frame.y);
+        put(to.half_size, {0.5 * panel.width, 0.5 * panel.height, 0.0});
     }
-    preview::CameraTarget operator()(const Ball& ball) const {
-        preview::CameraTarget target;
-        target.kind = Kind::ball;
-        put(target.middle, ball.center - eye_);
-        target.radius = ball.radius;
-        return target;
+    void operator()(const Ball& ball) const {
+        to.kind = Kind::ball;
+        put(to.middle, ball.center - eye);
+        to.radius = ball.radius;
     }
-    preview::CameraTarget operator()(const Box& box) const {
-        preview::CameraTarget target;
-        target.kind = Kind::box;
-        put(target.middle, box.frame.to_local(eye_ - box.frame.origin));
-        put(target.x, box.frame.x);
-        put(target.y, box.frame.y);
-        put(target.normal, box.frame.z);
-        put(target.half_size, box.half_size);
-        return target;
+    void operator()(const Box& box) const {
+        to.kind = Kind::box;
+        put(to.middle, box.frame.to_local(eye - box.frame.origin));
+        put(to.x, box.frame.x);
+        put(to.y, box.frame.y);
+        put(to.normal, box.frame.z);
+        put(to.half_size, box.half_size);
     }
-    preview::CameraTarget operator()(const Capsule& capsule) const {
-        preview::CameraTarget target;
-        target.kind = Kind::capsule;
-        const glm::dvec3 to_center = capsule.center - eye_;
-        put(target.middle, to_center);
-        put(target.x, capsule.axis);
-        target.height = glm::dot(to_center, capsule.axis);
-        target.half_size[0] = capsule.half_length;
-        target.radius = capsule.radius;
-        for (int end = 0; end < 2; ++end) {
-            const double along = (end == 0 ? -1.0 : 1.0) * capsule.half_length;
-            put(target.ends[end], capsule.center + along * capsule.axis - eye_);
-        }
-        return target;
+    void operator()(const Capsule& capsule) const {
+        to.kind = Kind::capsule;
+        const glm::dvec3 to_center = capsule.center - eye;
+        put(to.middle, to_center);
+        put(to.x, capsule.axis);
+        to.height = glm::dot(to_center, capsule.axis);
+        to.half_size[0] = capsule.half_length;
+        to.radius = capsule.radius;
+        put(to.ends[0], capsule.center - capsule.half_length * capsule.axis - eye);
+        put(to.ends[1], capsule.center + capsule.half_length * capsule.axis - eye);
     }
 
 private:
-    using Kind = preview::CameraTarget::Kind;
-
-    void set_plane(preview::CameraTarget& target, const glm::dvec3& point, const glm::dvec3& normal) const {
-        put(target.normal, normal);
-        target.height = glm::dot(point - eye_, normal);
+    void put_plane(const glm::dvec3& point, const glm::dvec3& normal) const {
+        put(to.normal, normal);
+        to.height = glm::dot(point - eye, normal);
     }
-
-    const glm::dvec3& eye_;
 };
+
+preview::CameraTarget target_of(const Primitive& primitive, const glm::dvec3& eye) {
+    preview::CameraTarget target;
+    std::visit(TargetNumbers{eye, target}, primitive);
+    return target;
+}
 
 } // namespace
 
@@ -115,8 +107,7 @@ void SeenRays::cast(std::span<const std::uint32_t> surfaces, std::span<const std
     bool has_faces = false;
     for (const std::uint32_t i : surfaces) {
         const Primitive& geometry = scene_.stage.surfaces[i].geometry;
-        scene_.kernels.meet(std::visit(TargetFrom(rays_.origin), geometry), all, i, first_.distance.data(),
-                            first_.number.data());
+        scene_.kernels.meet(target_of(geometry, rays_.origin), all, i, first_.distance.data(), first_.number.data());
         has_faces = has_faces || std::holds_alternative<Box>(geometry);
     }
     kind_.resize(rays_.size());

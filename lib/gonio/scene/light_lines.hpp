@@ -52,7 +52,7 @@ struct LightFrame {
         const S along_forward = unfused::dot(forward, v);
         return {along_forward, unfused::dot(side, v), unfused::dot(axis, v) - rise * along_forward};
     }
-    // All but `is_seen` as numbers, and from them.
+    // As numbers, and from them; `is_seen` is a mask and not among them.
     GONIO_FORCE_INLINE void put(S* to) const {
         for (const vec3<S>& v : {axis, forward, side}) {
             *to++ = v.x;

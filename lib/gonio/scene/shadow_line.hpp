@@ -24,6 +24,14 @@ GONIO_FORCE_INLINE vec3<S> in_frame(const ShadowBody& body, const vec3<S>& v) {
     return {dot(spread<S>(body.x), v), dot(spread<S>(body.y), v), dot(spread<S>(body.z), v)};
 }
 
+// `off`: from its middle, in the axes of the box, or the other way.
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> is_outside_box(const ShadowBody& box, const vec3<S>& off) {
+    const vec3<S> half = spread<S>(box.half_size);
+    return simd::either(simd::either(simd::abs(off.x) >= half.x, simd::abs(off.y) >= half.y),
+                        simd::abs(off.z) >= half.z);
+}
+
 // touching() of scene/detail/touching.hpp.
 template<class S>
 GONIO_FORCE_INLINE S touching_distance(const vec3<S>& point) {
@@ -368,8 +376,7 @@ public:
         : box_(box),
           receiver_(in_frame(box, receiver - spread<S>(box.middle))),
           half_(spread<S>(box.half_size)),
-          is_outside_(simd::either(simd::either(simd::abs(receiver_.x) >= half_.x, simd::abs(receiver_.y) >= half_.y),
-                                   simd::abs(receiver_.z) >= half_.z)) {}
+          is_outside_(is_outside_box(box, receiver_)) {}
 
     HiddenPiece<S> hidden(const LightLineSeen<S>& of_stage) const {
         HiddenPiece<S> piece;

@@ -118,6 +118,14 @@ GONIO_FORCE_INLINE void put_framed(const InLineFrame<D>& v, D* to) {
     to[1] = v.side;
     to[2] = v.above;
 }
+// The middle of a body and the first of its half axes, as all sections begin.
+template<std::size_t half_axes, class D>
+GONIO_FORCE_INLINE void put_extent(const ShadowBody& body, const vec3<D>& middle, const LightFrame<D>& frame, D* to) {
+    const double(*const axes[3])[3] = {&body.x, &body.y, &body.z};
+    put_framed(frame.in_frame(middle), to);
+    for (std::size_t i = 0; i < half_axes; ++i)
+        put_framed(frame.in_frame(spread<D>(*axes[i]) * spread<D>(body.half_size[i])), to + 3 * (i + 1));
+}
 template<class S>
 GONIO_FORCE_INLINE InLineFrame<S> framed_at(const S* numbers) {
     return {numbers[0], numbers[1], numbers[2]};
@@ -224,9 +232,7 @@ public:
     GONIO_FORCE_INLINE static simd::mask_of<D> put(const ShadowBody& panel, const vec3<D>& receiver,
                                                    const LightFrame<D>& frame, D* to) {
         const vec3<D> middle = spread<D>(panel.middle) - receiver;
-        put_framed(frame.in_frame(middle), to);
-        put_framed(frame.in_frame(spread<D>(panel.x) * spread<D>(panel.half_size[0])), to + 3);
-        put_framed(frame.in_frame(spread<D>(panel.y) * spread<D>(panel.half_size[1])), to + 6);
+        put_extent<half_axes>(panel, middle, frame, to);
         return simd::abs(unfused::dot(middle, spread<D>(panel.z))) > touching_distance(receiver);
     }
 
@@ -280,14 +286,8 @@ public:
     GONIO_FORCE_INLINE static simd::mask_of<D> put(const ShadowBody& box, const vec3<D>& receiver,
                                                    const LightFrame<D>& frame, D* to) {
         const vec3<D> middle = spread<D>(box.middle) - receiver;
-        put_framed(frame.in_frame(middle), to);
-        put_framed(frame.in_frame(spread<D>(box.x) * spread<D>(box.half_size[0])), to + 3);
-        put_framed(frame.in_frame(spread<D>(box.y) * spread<D>(box.half_size[1])), to + 6);
-        put_framed(frame.in_frame(spread<D>(box.z) * spread<D>(box.half_size[2])), to + 9);
-        const vec3<D> off = in_frame(box, middle);
-        return simd::either(simd::either(simd::abs(off.x) >= spread<D>(box.half_size[0]),
-                                         simd::abs(off.y) >= spread<D>(box.half_size[1])),
-                            simd::abs(off.z) >= spread<D>(box.half_size[2]));
+        put_extent<half_axes>(box, middle, frame, to);
+        return is_outside_box(box, in_frame(box, middle));
     }
 
     GONIO_FORCE_INLINE BoxSection(const ShadowBody& /*box*/, const S* from, S /*rise*/)
@@ -329,7 +329,7 @@ public:
     GONIO_FORCE_INLINE static simd::mask_of<D> put(const ShadowBody& ball, const vec3<D>& receiver,
                                                    const LightFrame<D>& frame, D* to) {
         const vec3<D> center = spread<D>(ball.middle) - receiver;
-        put_framed(frame.in_frame(center), to);
+        put_extent<half_axes>(ball, center, frame, to);
         const D power = unfused::dot(center, center) - spread<D>(ball.radius) * spread<D>(ball.radius);
         to[3] = simd::sqrt(simd::max(power, D(0)));
         return power > D(0);
@@ -342,27 +342,27 @@ public:
         : center_(center), tangent_(tangent), radius_(radius), rise_(rise) {}
 
     GONIO_FORCE_INLINE HiddenSlopes<S> hidden(const LightLine<S>& line) const {
-        const S height = line.height(center_);
-        const auto is_cut = simd::abs(height) <= radius_;
-        if (!simd::any(is_cut)) return {};
         PlaneDirection<S> low, high;
-        find(line, height, low, high);
+        const auto is_cut = cut(line, low, high);
+        if (!simd::any(is_cut)) return {};
         return CoveredAngle<S>(is_cut, low, high).hidden(line);
     }
     GONIO_FORCE_INLINE void take(CoveredAngle<S>& covered, const LightLine<S>& line) const {
-        const S height = line.height(center_);
-        const auto is_cut = simd::abs(height) <= radius_;
-        if (!simd::any(is_cut)) return;
         PlaneDirection<S> low, high;
-        find(line, height, low, high);
+        const auto is_cut = cut(line, low, high);
+        if (!simd::any(is_cut)) return;
         covered.take(is_cut, low);
         covered.take(is_cut, high);
     }
 
 private:
-    // The tangents to the circle: its middle turned by the angle whose sine is the circle's radius over the distance.
-    GONIO_FORCE_INLINE void find(const LightLine<S>& line, S height, PlaneDirection<S>& low,
-                                 PlaneDirection<S>& high) const {
+    // Where the line's plane cuts the ball, and the tangents to the circle: its middle turned by the angle whose sine
+    // is the circle's radius over the distance. They are set if any plane cuts it.
+    GONIO_FORCE_INLINE simd::mask_of<S> cut(const LightLine<S>& line, PlaneDirection<S>& low,
+                                            PlaneDirection<S>& high) const {
+        const S height = line.height(center_);
+        const auto is_cut = simd::abs(height) <= radius_;
+        if (!simd::any(is_cut)) return is_cut;
         const S circle = simd::sqrt(simd::max((radius_ - height) * (radius_ + height), S(0)));
         const S x = line.x(center_);
         const S above = center_.above - rise_ * line.sine * height; // of the middle, put onto the plane
@@ -372,6 +372,7 @@ private:
         const S bend = circle * (x + line.slope * y);
         low = {along + y * circle, up - bend};
         high = {along - y * circle, up + bend};
+        return is_cut;
     }
 
     InLineFrame<S> center_;
@@ -396,8 +397,7 @@ public:
         const D along = unfused::dot(center, axis);
         const vec3<D> across = center - axis * along;
         const D power = unfused::dot(across, across) - spread<D>(capsule.radius * capsule.radius);
-        put_framed(frame.in_frame(center), to);
-        put_framed(frame.in_frame(axis * half), to + 3);
+        put_extent<half_axes>(capsule, center, frame, to);
         to[6] = along;
         to[7] = power;                                             // of the receiver, to the endless cylinder
         const D beyond = simd::max(simd::abs(along) - half, D(0)); // of its nearest end

@@ -173,7 +173,7 @@ private:
         else
             to[packet.first] = static_cast<float>(value);
     }
-    // A number of all lanes from the halves' and the other way round: get(half), put(half, number).
+    // A number of all lanes from those of the halves: get(half).
     template<class Get>
     GONIO_FORCE_INLINE S rounded(const Get& get) const {
         double row[lanes];
