@@ -80,7 +80,7 @@ void LitTile::show_emitters() {
         picture_.shows_light[seen.pixel] = 1;
         add(seen.pixel, static_cast<double>(seen.share) * rgb);
         const std::size_t surface = light.emitted_by ? light.emitted_by->surface : no_surface;
-        if (seen.share < 1.0F) add_part(seen.pixel, surface, seen.share, rgb);
+        if (seen.share < 1.0F) add_part(seen, surface, rgb);
     }
 }
 
@@ -110,15 +110,15 @@ void LitTile::add(std::uint32_t pixel, const glm::dvec3& nt) {
 }
 
 // The points of a pixel on one light come one after the other.
-void LitTile::add_part(std::uint32_t pixel, std::size_t surface, float share, const glm::dvec3& rgb) {
+void LitTile::add_part(const TileSamples::EmitterShare& seen, std::size_t surface, const glm::dvec3& rgb) {
     const std::array part{static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z)};
-    if (surface != no_surface) reflected_[{pixel, surface}].share += share;
-    if (!partial_.empty() && partial_.back().pixel == pixel && partial_.back().rgb == part &&
-        part_surfaces_.back() == surface) {
-        partial_.back().share += share;
+    if (surface != no_surface) reflected_[{seen.pixel, surface}].share += seen.share;
+    if (!partial_.empty() && partial_.back().pixel == seen.pixel && partial_.back().rgb == part &&
+        partial_.back().widening == seen.widening && part_surfaces_.back() == surface) {
+        partial_.back().share += seen.share;
         return;
     }
-    partial_.push_back({pixel, share, part});
+    partial_.push_back({seen.pixel, seen.share, part, seen.widening});
     part_surfaces_.push_back(surface);
 }
 
@@ -577,6 +577,7 @@ void LitTile::shade_edges(const LitLight& light) {
         std::size_t surface;
         ShadowPoints points;
         std::vector<std::uint32_t> pixel;
+        std::vector<float> share;
     };
     std::vector<Edge> by_surface;
     for (const std::size_t center : edges_)
@@ -590,6 +591,7 @@ void LitTile::shade_edges(const LitLight& light) {
             }
             found->points.add(seen.hit.position, seen.hit.normal, seen.view);
             found->pixel.push_back(tile_.pixel_of(center));
+            found->share.push_back(tile_.share_of(center) / (edge_samples * edge_samples));
         }
     for (const Edge& edge : by_surface) {
         const std::vector<Visible>& visible = visible_at(light, edge.surface, edge.points);
@@ -599,7 +601,7 @@ void LitTile::shade_edges(const LitLight& light) {
         for (std::size_t i = 0; i < visible.size(); ++i) {
             if (visible[i].is_none()) continue;
             samples.add({edge.points.position(i), edge.points.normal(i), edge.points.view(i)}, edge.pixel[i],
-                        1.0 / (edge_samples * edge_samples), -1);
+                        static_cast<double>(edge.share[i]), -1);
             visible_.push_back(visible[i]);
         }
         stats_.at_shadow_edges += samples.size();

@@ -68,19 +68,23 @@ Image parts_of(const Image& picture, std::span<const PartialLight> lights) {
 void merge_parts(const Image& parts, std::span<const PartialLight> lights, Image& picture) {
     const float* part = parts.pixels.data();
     for_each_pixel(lights, [&](Run run) {
-        std::array<double, 3> sum{};
-        const auto add = [&](float share) {
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                sum[channel] += static_cast<double>(share) *
-                                decode_srgb(static_cast<double>(std::clamp(part[channel], 0.0F, 1.0F)));
-            part += 3;
-        };
-        add(share_left(run));
-        for (const PartialLight& light : run)
-            add(light.share);
         float* const whole = picture.pixels.data() + std::size_t{run.front().pixel} * 3;
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            whole[channel] = static_cast<float>(encode_srgb(sum[channel]));
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const auto shown = [&](std::size_t index) {
+                return decode_srgb(static_cast<double>(std::clamp(part[3 * index + channel], 0.0F, 1.0F)));
+            };
+            double left = 1.0;
+            double sum = 0.0;
+            for (std::size_t i = 0; i < run.size(); ++i) {
+                const PartialLight& light = run[i];
+                const float times = std::clamp(light.rgb[channel], 1.0F, light.widening);
+                const double share = std::min(static_cast<double>(light.share) * static_cast<double>(times), left);
+                left -= share;
+                sum += share * shown(i + 1);
+            }
+            whole[channel] = static_cast<float>(encode_srgb(sum + left * shown(0)));
+        }
+        part += 3 * (run.size() + 1);
     });
 }
 

@@ -3,6 +3,9 @@
 // In linear light such a pixel is their mean, which is what an instrument measures and what pictures of numbers store.
 // On a display it is as white as the light itself, since both are beyond what the display shows, and the outline looks
 // like stairs. So the parts go through the display's curve separately, and their mean is taken behind it.
+//
+// A light narrower than a pixel would vanish that way: white on a hundredth of the pixel. It is drawn as a pixel wide
+// as far as its light suffices, and never brighter than the mean.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -20,6 +23,7 @@ struct PartialLight {
     std::uint32_t pixel = 0;    // row by row
     float share = 0.0F;         // of the pixel, in (0, 1)
     std::array<float, 3> rgb{}; // of the light, in the unit of the picture
+    float widening = 1.0F;      // ≥ 1: how many times its share a light beyond white may take on a display
 };
 
 // As the pixels of the picture: expose() in exposure.hpp.

@@ -1,3 +1,4 @@
+#include <gonio/preview/detail/thin_lights.hpp>
 #include <gonio/preview/detail/tile_samples.hpp>
 
 #include <glm/geometric.hpp>
@@ -50,10 +51,12 @@ TileSamples::TileSamples(const RayScene& scene, int left, int top)
         const std::optional<Ball> around = bounds(scene.stage.surfaces[i].geometry);
         if (!around || !cone || cone->meets(around->center, around->radius)) seen_surfaces_.push_back(i);
     }
+    const ThinLights thin(scene, {left_, top_, right_, bottom_}, seen_lights_, seen_surfaces_);
     look_through_centers();
     on_outline_.resize(centers_.size());
     fine_index_.resize(centers_.size(), -1);
     find_outlines();
+    look_at(thin);
     collect();
     bound_surfaces();
 }
@@ -71,6 +74,61 @@ void TileSamples::find_outlines() {
     // An image may have outlines of its own within the pixel.
     for (std::size_t at = 0; at < centers_.size(); ++at)
         if (centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr) on_outline_[at] = 1;
+}
+
+void TileSamples::look_at(const ThinLights& thin) {
+    std::span<const ThinLights::Part> left = thin.parts();
+    if (!left.empty()) thin_of_pixel_.resize(centers_.size());
+    constexpr std::size_t of_part = ThinLights::points_of_part;
+    std::vector<std::uint32_t> surfaces, lights;
+    while (!left.empty()) {
+        const ThinLights::Part& first = left.front();
+        const auto end = std::find_if(left.begin(), left.end(), [&](const ThinLights::Part& part) {
+            return part.y != first.y || part.x != first.x;
+        });
+        const auto parts = left.first(static_cast<std::size_t>(end - left.begin()));
+        left = left.subspan(parts.size());
+
+        surfaces = seen_surfaces_;
+        lights = seen_lights_;
+        RaysFrom& rays = within_pixel_.begin(parts.size() * of_part);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const ThinLights::Thing& thing = thin.thing(parts[i]);
+            (thing.is_surface ? surfaces : lights).push_back(thing.number);
+            for (std::size_t k = 0; k < of_part; ++k)
+                rays.set(i * of_part + k, scene_.rays.ray(parts[i].points[k].x, parts[i].points[k].y));
+        }
+        std::sort(surfaces.begin(), surfaces.end());
+        std::sort(lights.begin(), lights.end());
+        within_pixel_.cast(surfaces, lights);
+
+        const std::size_t center = static_cast<std::size_t>(first.y - top_ + 1) * static_cast<std::size_t>(stride_) +
+                                   static_cast<std::size_t>(first.x - left_ + 1);
+        ThinOfPixel& here = thin_of_pixel_[center];
+        here.first = static_cast<std::uint32_t>(thin_seen_.size());
+        double covered = 0.0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const ThinLights::Thing& thing = thin.thing(parts[i]);
+            const double share = parts[i].share / of_part;
+            for (std::size_t ray = i * of_part; ray < (i + 1) * of_part; ++ray) {
+                if (!within_pixel_.shows(ray, thing.is_surface, thing.number)) continue;
+                covered += share;
+                thin_seen_.push_back(
+                    {within_pixel_.at(ray), static_cast<float>(share), static_cast<float>(thing.widening)});
+            }
+        }
+        here.count = static_cast<std::uint32_t>(thin_seen_.size()) - here.first;
+        here.left = static_cast<float>(std::max(1.0 - covered, 0.0));
+        // A surface that emits is added up by the points of its pixel.
+        if (here.count > 0 && !scene_.emitted.empty()) on_outline_[center] = 1;
+    }
+}
+
+void TileSamples::add_thin_lights(std::size_t center) {
+    if (thin_of_pixel_.empty()) return;
+    const ThinOfPixel& here = thin_of_pixel_[center];
+    for (std::uint32_t i = here.first; i < here.first + here.count; ++i)
+        add(thin_seen_[i].seen, pixel_of(center), static_cast<double>(thin_seen_[i].share), -1, thin_seen_[i].widening);
 }
 
 std::uint32_t TileSamples::pixel_of(std::size_t center) const {
@@ -101,17 +159,17 @@ const TileSamples::FineSamples& TileSamples::fine(std::size_t center) {
     return fine_[static_cast<std::size_t>(index)];
 }
 
-void TileSamples::add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center) {
+void TileSamples::add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center, float widening) {
     if (seen.what == Seen::What::nothing) {
         open_.push_back({pixel, static_cast<float>(share), -seen.view});
         return;
     }
     if (seen.what == Seen::What::emitter) {
-        emitters_.push_back({pixel, seen.light, static_cast<float>(share), seen.view});
+        emitters_.push_back({pixel, seen.light, static_cast<float>(share), widening, seen.view});
         return;
     }
     if (const std::optional<std::uint32_t> own = scene_.emitted.at(seen.hit))
-        emitters_.push_back({pixel, *own, static_cast<float>(share), seen.view});
+        emitters_.push_back({pixel, *own, static_cast<float>(share), widening, seen.view});
     samples_of(seen.hit.surface).add({seen.hit.position, seen.hit.normal, seen.view}, pixel, share, center);
 }
 
@@ -154,18 +212,23 @@ void TileSamples::add_block(std::size_t first, std::size_t columns, std::size_t 
     }
 }
 
-void TileSamples::add_rows_with_outlines(std::size_t first, std::size_t columns, std::size_t rows) {
+void TileSamples::add_mixed_rows(std::size_t first, std::size_t columns, std::size_t rows) {
     const auto stride = static_cast<std::size_t>(stride_);
     for (std::size_t row = first; row < first + rows * stride; row += stride)
         for (std::size_t center = row; center < row + columns;) {
-            if (on_outline(center)) {
-                for (const Seen& seen : fine(center))
-                    add(seen, pixel_of(center), 1.0 / (edge_samples * edge_samples), -1);
+            const auto left = static_cast<double>(share_of(center));
+            if (is_mixed(center)) {
+                add_thin_lights(center);
+                if (!on_outline(center))
+                    add(centers_.at(center), pixel_of(center), left, static_cast<std::int32_t>(center));
+                else
+                    for (const Seen& seen : fine(center))
+                        add(seen, pixel_of(center), left / (edge_samples * edge_samples), -1);
                 ++center;
                 continue;
             }
             const std::size_t begin = center;
-            while (center < row + columns && !on_outline(center))
+            while (center < row + columns && !is_mixed(center))
                 ++center;
             add_block(begin, center - begin, 1);
         }
@@ -179,15 +242,15 @@ void TileSamples::collect() {
             const auto rows = static_cast<std::size_t>(std::min(block_size, bottom_ - block_y));
             const std::size_t first =
                 static_cast<std::size_t>(block_y - top_ + 1) * stride + static_cast<std::size_t>(block_x - left_ + 1);
-            unsigned outlines = 0;
+            unsigned mixed = 0;
             for (std::size_t row = first; row < first + rows * stride; row += stride)
                 for (std::size_t i = row; i < row + columns; ++i)
-                    outlines += on_outline_[i];
+                    mixed += is_mixed(i) ? 1U : 0U;
             // Beside each other without an outline between them, pixels show the same.
-            if (outlines == 0)
+            if (mixed == 0)
                 add_block(first, columns, rows);
             else
-                add_rows_with_outlines(first, columns, rows);
+                add_mixed_rows(first, columns, rows);
             for (SurfaceSamples& samples : surfaces_)
                 samples.finish_chunk();
         }

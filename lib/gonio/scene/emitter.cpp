@@ -1,5 +1,6 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/emitter.hpp>
+#include <gonio/scene/outline_points.hpp>
 #include <gonio/scene/primitives.hpp>
 
 #include <glm/geometric.hpp>
@@ -113,7 +114,48 @@ struct Reach {
     }
 };
 
+using Points = std::vector<glm::dvec3>;
+
+struct Outline {
+    const Frame& frame;
+    const glm::dvec3& eye;
+
+    Points operator()(const SphereShape& sphere) const {
+        return outline_points(Ball{frame.origin, sphere.radius.value}, eye);
+    }
+    Points operator()(const DiskShape& disk) const {
+        return ellipse_outline(frame.origin, disk.radius.value * frame.x, disk.radius.value * frame.y);
+    }
+    Points operator()(const EllipseShape& ellipse) const {
+        return ellipse_outline(frame.origin, 0.5 * ellipse.width.value * frame.x, 0.5 * ellipse.height.value * frame.y);
+    }
+    Points operator()(const RectShape& rect) const {
+        return rectangle_outline(frame.origin, 0.5 * rect.width.value * frame.x, 0.5 * rect.height.value * frame.y);
+    }
+    Points operator()(const TubeShape& tube) const {
+        return outline_points(Capsule{frame.origin, frame.x, 0.5 * tube.length.value, tube.radius.value}, eye);
+    }
+    Points operator()(const CylinderShape& cylinder) const {
+        return cylinder_outline(frame.origin, 0.5 * cylinder.length.value * frame.x, cylinder.radius.value, eye);
+    }
+    Points operator()(const SunShape& /*no surface at a finite distance*/) const { return {}; }
+    template<PunctualShape Kind>
+    Points operator()(const Kind& /*no surface*/) const {
+        return {};
+    }
+};
+
 } // namespace
+
+std::vector<glm::dvec3> outline_points(const Light& light, const glm::dvec3& eye) {
+    if (light.parts == nullptr) return std::visit(Outline{light.frame, eye}, light.shape);
+    Points all;
+    for (const Light& face : *light.parts) {
+        const Points points = outline_points(face, eye);
+        all.insert(all.end(), points.begin(), points.end());
+    }
+    return all;
+}
 
 double reach_along(const Light& light, const glm::dvec3& direction) {
     if (light.parts != nullptr) {

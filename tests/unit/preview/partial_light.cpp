@@ -82,6 +82,37 @@ TEST(PartialLight, WithoutClippingNothingChanges) {
         EXPECT_NEAR(row.linear(i / 3, i % 3), static_cast<double>(before[i]), 1e-6);
 }
 
+// A dot on a hundredth of its pixel is white if its light suffices for that, and never brighter than the mean.
+TEST(PartialLight, DotsAreDrawnAsWideAsTheirLightSuffices) {
+    for (const float light : {0.5F, 2.0F, 30.0F, 1e4F}) {
+        std::vector<PartialLight> lights{{0, 0.01F, {light, 0.5F, 0.0F}, 100.0F}};
+        Image picture(1, 1, 3);
+        picture.pixels = {0.99F * 0.2F + 0.01F * light, 0.99F * 0.2F + 0.005F, 0.99F * 0.2F};
+        Image parts = parts_of(picture, lights);
+        show(picture);
+        show(parts);
+        merge_parts(parts, lights, picture);
+        const double share = 0.01 * std::clamp(static_cast<double>(light), 1.0, 100.0);
+        const double shown = std::min(static_cast<double>(light), 1.0);
+        EXPECT_NEAR(decode_srgb(static_cast<double>(picture.pixels[0])), share * shown + (1.0 - share) * 0.2, 1e-4);
+        EXPECT_NEAR(decode_srgb(static_cast<double>(picture.pixels[1])), 0.99 * 0.2 + 0.005, 1e-5) << "not white here";
+    }
+}
+
+// Two of them in one pixel are not more than the pixel.
+TEST(PartialLight, DotsShareTheirPixel) {
+    const std::vector<PartialLight> lights{{0, 0.01F, {1e4F, 1e4F, 1e4F}, 100.0F},
+                                           {0, 0.02F, {1e4F, 1e4F, 1e4F}, 50.0F}};
+    Image picture(1, 1, 3);
+    picture.pixels = {300.0F, 300.0F, 300.0F};
+    Image parts = parts_of(picture, lights);
+    show(picture);
+    show(parts);
+    merge_parts(parts, lights, picture);
+    for (const float channel : picture.pixels)
+        EXPECT_NEAR(channel, 1.0F, 1e-6F);
+}
+
 TEST(PartialLight, ExposureScalesThem) {
     std::vector<PartialLight> lights{{7, 0.5F, {2.4F, 1.2F, 0.0F}}};
     expose(lights, Ev100(1.0));

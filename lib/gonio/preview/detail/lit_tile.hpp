@@ -40,7 +40,7 @@ private:
     void show_subjects();
     void add(std::uint32_t pixel, const glm::dvec3& nt);
     // `surface` emits the light, or no_surface.
-    void add_part(std::uint32_t pixel, std::size_t surface, float share, const glm::dvec3& rgb);
+    void add_part(const TileSamples::EmitterShare& seen, std::size_t surface, const glm::dvec3& rgb);
     void add_to_part(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt);
     void complete_parts();
     void count_samples();

@@ -56,6 +56,10 @@ public:
     bool is_emitter(std::size_t i) const { return kind_[i] == emitter; }
     std::size_t surface_of(std::size_t i) const { return static_cast<std::size_t>(first_.number[i]); }
     std::uint32_t light_of(std::size_t i) const { return static_cast<std::uint32_t>(first_.number[i]); }
+    // Whether a ray sees this surface of the stage, or else this light.
+    bool shows(std::size_t i, bool of_stage, std::uint32_t number) const {
+        return (of_stage ? is_surface(i) : is_emitter(i)) && first_.number[i] == number;
+    }
     int face_of(std::size_t i) const { return kind_[i] - surface; }
     bool show_the_same(std::size_t i, std::size_t j) const {
         return kind_[i] == kind_[j] && first_.number[i] == first_.number[j];

@@ -18,6 +18,8 @@ inline constexpr int block_size = 8;   // pixels; their points on one surface fo
 inline constexpr int edge_samples = 4; // along each side of a pixel on an outline
 inline constexpr int square_size = 4;  // pixels; what changes little may be computed at the corners
 
+class ThinLights;
+
 class TileSamples {
 public:
     TileSamples(const RayScene& scene, int left, int top);
@@ -38,6 +40,7 @@ public:
         std::uint32_t pixel;
         std::uint32_t light;
         float share;
+        float widening;  // as of a PartialLight
         glm::dvec3 view; // unit, towards the eye
     };
     glm::dvec3 eye() const { return scene_.rays.eye(); }
@@ -58,7 +61,11 @@ public:
     // Whether the pixel of this centre is the mean of several points, because an outline crosses it.
     bool on_outline(std::size_t center) const { return on_outline_[center] != 0; }
 
-    // Points of a pixel on an outline or a shadow edge; cast at the first request, valid until the next call.
+    // The part of a centre's pixel that no thin light covers, in [0, 1].
+    float share_of(std::size_t center) const { return thin_of_pixel_.empty() ? 1.0F : thin_of_pixel_[center].left; }
+
+    // Points of a pixel on an outline or a shadow edge, past thin lights; cast at the first request, valid until the
+    // next call.
     using FineSamples = std::array<Seen, std::size_t{edge_samples} * edge_samples>;
     const FineSamples& fine(std::size_t center);
 
@@ -67,12 +74,19 @@ public:
 private:
     void look_through_centers();
     void find_outlines();
+    // Which points of thin lights nothing hides, and what they leave of their pixels.
+    void look_at(const ThinLights& thin);
+    // Whether the pixel shows more than its centre.
+    bool is_mixed(std::size_t center) const {
+        return on_outline(center) || (!thin_of_pixel_.empty() && thin_of_pixel_[center].count > 0);
+    }
     void collect();
     SurfaceSamples& samples_of(std::size_t surface);
     // The centres of a rectangle as whole pixels, which all show the same.
     void add_block(std::size_t first, std::size_t columns, std::size_t rows);
-    void add_rows_with_outlines(std::size_t first, std::size_t columns, std::size_t rows);
-    void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center);
+    void add_mixed_rows(std::size_t first, std::size_t columns, std::size_t rows);
+    void add_thin_lights(std::size_t center);
+    void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center, float widening = 1.0F);
     void bound_surfaces();
 
     const RayScene& scene_;
@@ -81,7 +95,18 @@ private:
     std::vector<std::uint32_t> seen_surfaces_; // those that the tile's rays may meet
     std::vector<std::uint32_t> seen_lights_;   // lights with bodies that they may meet
     SeenRays centers_;
-    SeenRays within_pixel_; // those of fine() that are being cast
+    SeenRays within_pixel_; // the rays of one pixel that are being cast
+    struct ThinOfPixel {    // of thin_seen_
+        std::uint32_t first = 0, count = 0;
+        float left = 1.0F; // of the pixel
+    };
+    std::vector<ThinOfPixel> thin_of_pixel_; // by centre; empty without thin lights
+    struct ThinSeen {
+        Seen seen;
+        float share; // of the pixel
+        float widening;
+    };
+    std::vector<ThinSeen> thin_seen_;
     std::vector<std::uint8_t> on_outline_;
     std::vector<std::int32_t> fine_index_;
     std::vector<FineSamples> fine_;
