@@ -14,9 +14,10 @@ inline glm::dvec3 vec(shading::vec3<double> v) {
     return {v.x, v.y, v.z};
 }
 
-inline void put(double (&to)[3], const glm::dvec3& v) {
+template<class Number>
+void put(Number (&to)[3], const glm::dvec3& v) {
     for (int axis = 0; axis < 3; ++axis)
-        to[axis] = v[axis];
+        to[axis] = static_cast<Number>(v[axis]);
 }
 
 } // namespace gonio::detail

@@ -41,7 +41,7 @@ struct DirectionArrays {
 // One for each thread.
 class BundleCaster {
 public:
-    BundleCaster(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set);
+    BundleCaster(const Stage& stage, const Patches& patches, simd::InstructionSet set);
 
     // All rays that follow start here. `own`: as RayCaster::cast().
     void begin(const Frame& from, std::size_t own);
@@ -49,8 +49,10 @@ public:
     // Where each ray ends, or `no_patch` or `back_side`, and on which chart, or `no_patch`.
     void cast(const DirectionArrays& directions, std::span<PatchPoint> ends, std::span<std::uint32_t> charts);
 
-    // The chart that each ray meets first, or `no_patch`.
-    void cast(const DirectionArrays& directions, std::span<std::uint32_t> charts);
+    // Of the rays from `first` on, which go towards points of a chart that are turned to where they start, the chart
+    // that each meets first, or `no_patch`. Rays are cast only if something stands between.
+    void cast_toward(std::uint32_t chart, const DirectionArrays& directions, std::size_t first,
+                     std::span<std::uint32_t> charts);
 
 private:
     struct Target {
@@ -61,19 +63,38 @@ private:
 
     void add(const Panel& panel, std::size_t chart, bool is_solid);
     void add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart);
-    void run(const DirectionArrays& directions);
+    // Finds those of the targets that may be met before a chart.
+    void find_nearer(std::uint32_t chart);
+    // Of the rays from `first` on.
+    void run(const DirectionArrays& directions, std::size_t first, const transport::RayTargets& targets);
 
     const Stage& stage_;
-    const RayCaster& caster_;
     const Patches& patches_;
     const transport::RayKernels& kernels_;
     Frame from_;
-    std::size_t own_ = RayEnd::nothing;
     std::vector<transport::RayRectangle> rectangles_;
     std::vector<transport::RaySphere> spheres_;
-    std::vector<transport::RayBounds> bounds_;
+    std::vector<transport::RayCapsule> capsules_;
     std::vector<Target> of_rectangles_;
-    std::vector<std::uint32_t> of_spheres_; // their charts
+    std::vector<std::uint32_t> of_spheres_;  // their charts
+    std::vector<std::uint32_t> of_capsules_; // the same
+    // The directions from the rays' origin in which a target lies.
+    struct Outline {
+        glm::vec3 axis{0.0F};              // unit
+        float cosine = -1.0F, sine = 0.0F; // of the angle about it; −1: in all directions
+        float nearest_m = 0.0F;            // no point of it is nearer
+    };
+    static Outline outline_of(const glm::vec3& center, float radius);
+    void find_outlines();
+    std::vector<Outline> outlines_; // of rectangles, then spheres and capsules; made for the first that asks
+    struct Nearer {                 // what may be met before a chart, and the chart itself
+        std::vector<transport::RayRectangle> rectangles;
+        std::vector<transport::RaySphere> spheres;
+        std::vector<transport::RayCapsule> capsules;
+        std::vector<std::uint32_t> charts; // in their order; no_patch: blocks
+        bool is_empty = true;              // but for the chart
+    };
+    Nearer nearer_;
     std::vector<float> target_, distance_, u_, v_;
 };
 
@@ -100,11 +121,10 @@ private:
     const Stage& stage_;
     const Patches& patches_;
     const transport::RayKernels& kernels_;
-    RayCaster caster_;
     std::vector<transport::RayRectangle> rectangles_;
     std::vector<transport::RaySphere> spheres_;
-    std::vector<transport::RayBounds> bounds_;
-    std::vector<std::uint32_t> charts_; // of rectangles and then of spheres
+    std::vector<transport::RayCapsule> capsules_;
+    std::vector<std::uint32_t> charts_; // of rectangles, spheres and capsules
     std::vector<float> target_, distance_, u_, v_;
 };
 

@@ -191,6 +191,14 @@ glm::dvec3 Chart::normal(const glm::dvec2& at) const {
            rise * frame.z;
 }
 
+Chart::Spot Chart::nearest(const glm::dvec3& position) const {
+    const double along = glm::dot(position - frame.origin, frame.z);
+    if (kind == Kind::flat) return {position - along * frame.z, frame.z};
+    const glm::dvec3 center = frame.origin + std::clamp(along, -half_length, half_length) * frame.z;
+    const glm::dvec3 normal = glm::normalize(position - center);
+    return {center + radius * normal, normal};
+}
+
 double Chart::area(const glm::dvec2& low, const glm::dvec2& high) const {
     if (kind == Kind::flat) return (high.x - low.x) * (high.y - low.y);
     // Archimedes: the area of a sphere's zone is that of the cylinder around it.

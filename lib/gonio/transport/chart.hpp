@@ -51,6 +51,12 @@ struct Chart {
     glm::dvec2 on_sphere(double azimuth, double elevation) const;
     glm::dvec3 position(const glm::dvec2& at) const;
     glm::dvec3 normal(const glm::dvec2& at) const;
+    // Of a point near the surface, the nearest one on it, flat ones continued without an end.
+    struct Spot {
+        glm::dvec3 position;
+        glm::dvec3 normal;
+    };
+    Spot nearest(const glm::dvec3& position) const;
     // Of the rectangle of coordinates [m²].
     double area(const glm::dvec2& low, const glm::dvec2& high) const;
 };

@@ -9,6 +9,7 @@
 #include <gonio/transport/kernels_rays.hpp>
 
 #include <cstddef>
+#include <numbers>
 
 namespace gonio::transport::detail {
 
@@ -27,18 +28,31 @@ GONIO_FORCE_INLINE S entry(S radius, const vec3<S>& to_center, const vec3<S>& di
     return simd::select(half_chord2 >= S(0.0F), along - half_chord, S(-1.0F));
 }
 
-// Whether a ray may enter bounds before `nearest`. It enters the cylinder if the two lines pass each other within its
-// radius; of parallel lines both sides are 0. What roundings may add is a share of the distance.
+// Where a ray enters a capsule: the endless cylinder about its axis, or the ball at the end of it where the ray leaves
+// or passes the straight part. From the distance of the two lines, as of spheres. Negative where it does not.
 template<class S>
-GONIO_FORCE_INLINE auto may_enter(const RayBounds& bounds, const vec3<S>& to_center, const vec3<S>& direction,
-                                  S nearest) {
-    constexpr float roundings = 2e-6F;
+GONIO_FORCE_INLINE S entry(const RayCapsule& capsule, const vec3<S>& to_center, const vec3<S>& direction) {
+    const vec3<S> axis = spread<S>(capsule.axis);
+    const S radius(capsule.radius);
+    const vec3<S> across = cross(direction, axis);
+    constexpr float parallel = 1e-8F;
+    const S sine2 = dot(across, across);
+    const S per_sine2 = S(1.0F) / simd::max(sine2, S(parallel));
+    const S apart = dot(to_center, across);
+    const S half_chord2 = simd::mul_add(radius, radius, -(apart * apart * per_sine2));
+    const S along = (dot(cross(to_center, axis), across) -
+                     simd::sqrt(simd::max(half_chord2, S(0.0F)) * simd::max(sine2, S(parallel)))) *
+                    per_sine2;
+    const S ahead = dot(direction, axis);
+    const S center_ahead = dot(to_center, axis);
+    // A ray along the axis is in the cylinder from far behind on.
+    const S height = simd::select(sine2 > S(parallel), simd::mul_add(along, ahead, -center_ahead), -ahead * S(1e30F));
+    const S half_length(capsule.half_length);
+    const auto is_beyond = simd::abs(height) > half_length;
     S exit;
-    const S distance = entry(S(bounds.sphere.radius), to_center, direction, exit);
-    const vec3<S> across = cross(direction, spread<S>(bounds.axis));
-    const S reach = simd::mul_add(S(bounds.radius), simd::sqrt(dot(across, across)),
-                                  S(roundings) * simd::sqrt(dot(to_center, to_center)));
-    return simd::both(simd::both(exit > S(0.0F), distance < nearest), simd::abs(dot(across, to_center)) <= reach);
+    const S end = simd::select(height > S(0.0F), half_length, -half_length);
+    const S on_end = entry(radius, mul_add(axis, end, to_center), direction, exit);
+    return simd::select(is_beyond, on_end, simd::select(half_chord2 >= S(0.0F), along, S(-1.0F)));
 }
 
 // Which sphere rays meet first, and where.
@@ -111,10 +125,12 @@ void first_hits(const RayTargets& targets, const RayFrame& frame, const float* c
             on_sphere.note(first, center);
         }
         on_sphere.coordinates(direction * nearest, u, v);
-        for (std::size_t i = 0; i < targets.bound_count; ++i) {
-            const vec3<S> center = spread<S>(targets.bounds[i].sphere.center);
-            const auto maybe = may_enter(targets.bounds[i], center, direction, nearest);
-            target = simd::select(maybe, S(RayHits::unknown), target);
+        const std::size_t before = targets.rectangle_count + targets.sphere_count;
+        for (std::size_t i = 0; i < targets.capsule_count; ++i) {
+            const S distance = entry(targets.capsules[i], spread<S>(targets.capsules[i].center), direction);
+            const auto first = simd::both(distance > S(0.0F), distance < nearest);
+            nearest = simd::select(first, distance, nearest);
+            target = simd::select(first, S(static_cast<float>(before + i)), target);
         }
         packet.store(target, hits.target);
         packet.store(nearest, hits.distance);
@@ -176,15 +192,52 @@ void first_hits_of_scattered(const RayTargets& targets, const float* const origi
             on_sphere.note(first, center);
         }
         on_sphere.coordinates(mul_add(direction, nearest, origin), u, v);
-        for (std::size_t i = 0; i < targets.bound_count; ++i) {
-            const vec3<S> to_center = spread<S>(targets.bounds[i].sphere.center) - origin;
-            const auto maybe = may_enter(targets.bounds[i], to_center, direction, nearest);
-            target = simd::select(maybe, S(RayHits::unknown), target);
+        const std::size_t before = targets.rectangle_count + targets.sphere_count;
+        for (std::size_t i = 0; i < targets.capsule_count; ++i) {
+            const vec3<S> to_center = spread<S>(targets.capsules[i].center) - origin;
+            const S distance = entry(targets.capsules[i], to_center, direction);
+            const auto first = simd::both(distance > S(0.0F), distance < nearest);
+            nearest = simd::select(first, distance, nearest);
+            target = simd::select(first, S(static_cast<float>(before + i)), target);
         }
         packet.store(target, hits.target);
         packet.store(nearest, hits.distance);
         packet.store(u, hits.u);
         packet.store(v, hits.v);
+    });
+}
+
+template<class S>
+void cell_links(const RayCells& cells, const float (&place)[3], const RayFrame& frame, const RayLinks& links) {
+    constexpr float to_sides = 0.5F * std::numbers::sqrt2_v<float>; // of a cell's spread, which is that of its corners
+    const vec3<S> from = spread<S>(place);
+    simd::for_each_packet<simd::Packet<S>>(cells.count, [&](const simd::Packet<S>& packet) {
+        const vec3<S> position{packet.load(cells.position[0]), packet.load(cells.position[1]),
+                               packet.load(cells.position[2])};
+        const vec3<S> normal{packet.load(cells.normal[0]), packet.load(cells.normal[1]), packet.load(cells.normal[2])};
+        const S turn = packet.load(cells.spread);
+        const vec3<S> to = position - from;
+        const S distance2 = dot(to, to);
+        const S distance = simd::sqrt(distance2);
+        const S per_distance = S(1.0F) / distance;
+        const S here = dot(spread<S>(frame.z), to);
+        const S there = -dot(normal, to);
+        // They see each other if each is above the plane of the other; of a round one the plane that faces the place
+        // most.
+        const S faces = simd::min(here + packet.load(cells.reach), simd::mul_add(turn, distance, there));
+        // The mean of the cosine at a round cell, whose cosines lie close together; 0 where it faces away.
+        const S cosine = there * per_distance;
+        const S half = simd::max(turn * S(to_sides), S(1e-30F));
+        const S raised = simd::max(cosine + half, S(0.0F));
+        const S facing = simd::select(cosine >= half, cosine, raised * raised / (half * S(4.0F)));
+        const S factor = simd::max(here, S(0.0F)) * per_distance * facing *
+                         (packet.load(cells.area_m2) * S(std::numbers::inv_pi_v<float>) / distance2);
+        const S whole =
+            simd::select(distance2 > packet.load(cells.least2), factor + S(RayLinks::least), S(RayLinks::divided));
+        packet.store(simd::select(faces > S(0.0F), whole, S(0.0F)), links.share);
+        packet.store(dot(spread<S>(frame.x), to) * per_distance, links.towards[0]);
+        packet.store(dot(spread<S>(frame.y), to) * per_distance, links.towards[1]);
+        packet.store(here * per_distance, links.towards[2]);
     });
 }
 

@@ -1,6 +1,9 @@
 // The cells that links may stand for (ray_bundle.hpp), in the form in which each of many places asks for them.
 #pragma once
 
+#include <gonio/base/frame.hpp>
+#include <gonio/transport/kernels_rays.hpp>
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -22,40 +25,72 @@ struct LinkedPatch {
     std::uint32_t number = 0;
 };
 
+// How a place is linked to parts of a chart, one after the other: transport::RayLinks.
+struct CellLinks {
+    std::vector<float> share;
+    std::array<std::vector<float>, 3> towards;
+};
+
 class LinkedCells {
 public:
     LinkedCells() = default;
     explicit LinkedCells(const Patches& patches);
 
-    // Those of a chart are [first, last).
+    // A link stands for a cell that is at least as many of its half diagonals away. One that is closer is divided into
+    // its patches, and so is one whose normals differ by more than this sine from its own. Rays meet patches that are
+    // still closer.
+    static constexpr double least_of_flat = 8.0;
+    static constexpr double least_of_round = 24.0; // it is bright on one side, which is not the side that all see
+    static constexpr double least_of_patch = 5.0;
+    static constexpr double most_spread = 0.4;
+
+    // Parts of a chart: its cells, and then the patches of those that are flat, or nearly so, and alike.
+    struct Range {
+        std::size_t first = 0, last = 0;
+    };
     struct OfChart {
-        std::uint32_t chart;
-        std::size_t first, last;
+        std::uint32_t chart = 0;
+        Range cells;
+        glm::dvec3 anchor{0.0}; // near all of them
     };
     const std::vector<OfChart>& by_chart() const { return by_chart_; }
-    std::size_t count() const { return first_patch_.empty() ? 0 : first_patch_.size() - 1; }
-    std::span<const LinkedPatch> patches_of(std::size_t index) const {
-        return std::span(patches_).subspan(first_patch_[index], first_patch_[index + 1] - first_patch_[index]);
+    struct Part {
+        std::uint32_t number = 0; // of the cell, or of the patch
+        // Of a cell: parts, or if they are none single patches.
+        Range patches;
+        bool has_parts = false;
+    };
+    const Part& part(std::size_t index) const { return parts_[index]; }
+    bool empty() const { return parts_.empty(); }
+    std::span<const LinkedPatch> single_patches(const Part& cell) const {
+        return std::span(single_patches_).subspan(cell.patches.first, cell.patches.last - cell.patches.first);
     }
     // Whether a chart is of a small solid, which has links instead of rays, or has cells whose light rays and links
     // share.
     bool is_of_small(std::size_t chart) const { return is_of_small_[chart] != 0; }
     bool is_bright(std::size_t chart) const { return is_bright_[chart] != 0; }
 
-    // Of [first, last), the less of the two distances from the planes of place and cell to the other, above 0 where
-    // they see each other. Of a round one the plane that faces the place most.
-    void find_facing(const glm::dvec3& place, const glm::dvec3& normal, std::size_t first, std::size_t last,
-                     std::span<float> faces) const;
+    // From a place, the frame of which has its normal as Z, to parts of a chart.
+    void find_links(const transport::RayKernels& kernels, const Frame& place, const OfChart& chart, const Range& parts,
+                    CellLinks& to) const;
 
 private:
+    void add_chart(const Patches& patches, std::span<const std::uint32_t> cells);
+    void add_cell(const Patches& patches, std::uint32_t number);
+    void add_patches(const Patches& patches, std::size_t cell);
+    struct Numbers;
+    void add(std::uint32_t number, const Numbers& numbers);
+
     std::vector<OfChart> by_chart_;
     std::vector<std::uint8_t> is_of_small_, is_bright_; // by chart
-    std::vector<std::size_t> first_patch_;              // by cell, and the end of the last
-    std::vector<LinkedPatch> patches_;
-    glm::dvec3 anchor_{0.0}; // of positions
-    std::array<std::vector<float>, 3> position_, normal_;
+    std::vector<Part> parts_;
+    std::vector<LinkedPatch> single_patches_;
+    std::array<std::vector<float>, 3> position_; // from the anchor of their chart
+    std::array<std::vector<float>, 3> normal_;
     std::vector<float> spread_;
-    std::vector<float> reach_; // of flat ones, to their corners
+    std::vector<float> reach_; // of flat cells, to their corners
+    std::vector<float> area_m2_;
+    std::vector<float> least2_; // the squared distance from which they are linked as a whole; infinite: never
 };
 
 } // namespace gonio::detail

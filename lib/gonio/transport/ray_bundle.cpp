@@ -12,19 +12,13 @@ namespace gonio::detail {
 
 namespace {
 
-// A link stands for a part of a surface that is at least as many of its half diagonals away. A cell that is closer is
-// divided into its patches, and rays meet those that are still closer.
-constexpr double least_of_cell = 8.0;
-constexpr double least_of_round_cell = 24.0; // it is bright on one side, which is not the side that all see
-constexpr double least_of_patch = 5.0;
-constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
+// As of LinkedCells, of the half diagonals of a part of a flat patch.
+constexpr double least_of_part = 4.0;
 // The same for fine places: a ray for each part says whether it is seen past a pole.
 constexpr double least_of_part_for_fine = 16.0;
 constexpr int deepest_part = 8;
 constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
 constexpr double most_parts = 32.0;    // of a patch along a thin solid
-// The sine of half an angle. A cell whose normals differ by more is divided too.
-constexpr double most_spread = 0.4;
 
 bool is_far(double distance2, double half_diagonal_m, double least_distance) {
     const double least = least_distance * half_diagonal_m;
@@ -60,14 +54,14 @@ struct Along {
 // The rays and links of one place.
 class Bundle {
 public:
-    Bundle(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set)
-        : caster_(stage, caster, patches, set),
+    Bundle(const Stage& stage, const Patches& patches, simd::InstructionSet set)
+        : caster_(stage, patches, set),
+          kernels_(transport::ray_kernels(set)),
           patches_(patches),
           linked_(patches.linked()),
           is_before_(patches.charts().all().size()),
-          faces_(linked_.count()),
           by_link_(patches.cells().size(), By::rays),
-          has_link_(linked_.count() == 0 ? 0 : patches.count(), 0) {}
+          has_link_(linked_.empty() ? 0 : patches.count(), 0) {}
 
     // `of_charts`: the sum of the shares of each.
     void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<PatchPoint> ends,
@@ -129,18 +123,14 @@ private:
         const Frame frame = frame_about(place.position, place.normal);
         for (std::size_t chart = 0; chart < is_before_.size(); ++chart)
             is_before_[chart] = may_be_seen(place, patches_.charts().all()[chart]) ? 1 : 0;
-        for (const LinkedCells::OfChart& cells : linked_.by_chart()) {
-            for (std::size_t i = cells.first; i < cells.last; ++i)
-                by_link_[patches_.linked_cells()[i]] = By::rays;
-            if (is_before_[cells.chart] == 0) continue;
-            linked_.find_facing(place.position, place.normal, cells.first, cells.last, faces_);
-            const bool is_flat = patches_.charts().all()[cells.chart].kind == Chart::Kind::flat;
-            for (std::size_t i = cells.first; i < cells.last; ++i)
-                if (faces_[i] > 0.0F) link(place, frame, i, is_flat ? least_of_cell : least_of_round_cell);
+        if (!linked_.empty()) std::fill(by_link_.begin(), by_link_.end(), By::rays);
+        for (const LinkedCells::OfChart& chart : linked_.by_chart()) {
+            if (is_before_[chart.chart] == 0) continue;
+            const std::size_t before = possible_.size();
+            link(place, frame, chart);
+            charts_.resize(possible_.size());
+            caster_.cast_toward(chart.chart, towards_, before, charts_);
         }
-        if (possible_.empty()) return;
-        charts_.resize(possible_.size());
-        caster_.cast(towards_, charts_);
         for (std::size_t i = 0; i < possible_.size();) {
             // The parts of a patch come one after the other.
             Link link{possible_[i].sender, 0.0F};
@@ -159,13 +149,56 @@ private:
         }
     }
 
-    // The linked cell `index`, or its patches where it is closer than `least` of its half diagonals.
-    void link(const Receivers::Place& place, const Frame& frame, std::size_t index, double least) {
-        const std::uint32_t cell = patches_.linked_cells()[index];
+    // A chart by cells, and those that are too close by their patches.
+    void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::OfChart& chart) {
+        const bool is_flat = patches_.charts().all()[chart.chart].kind == Chart::Kind::flat;
+        const double least = is_flat ? LinkedCells::least_of_flat : LinkedCells::least_of_round;
+        const auto count = static_cast<std::uint32_t>(patches_.count());
+        divided_.clear();
+        linked_.find_links(kernels_, frame, chart, chart.cells, cell_links_);
+        for (std::size_t i = chart.cells.first; i < chart.cells.last; ++i) {
+            const float share = cell_links_.share[i - chart.cells.first];
+            if (share == 0.0F) continue;
+            const LinkedCells::Part& cell = linked_.part(i);
+            if (share != transport::RayLinks::divided) {
+                by_link_[cell.number] = By::cell;
+                add(count + cell.number, chart.chart, i - chart.cells.first);
+            } else if (cell.has_parts) {
+                by_link_[cell.number] = By::patches;
+                divided_.push_back(cell.patches);
+            } else {
+                link(place, frame, cell, least);
+            }
+        }
+        if (divided_.empty()) return;
+        const LinkedCells::Range all{divided_.front().first, divided_.back().last};
+        linked_.find_links(kernels_, frame, chart, all, cell_links_);
+        for (const LinkedCells::Range& patches : divided_)
+            for (std::size_t i = patches.first; i < patches.last; ++i) {
+                const float share = cell_links_.share[i - all.first];
+                const std::uint32_t patch = linked_.part(i).number;
+                const bool is_whole = share != 0.0F && share != transport::RayLinks::divided;
+                has_link_[patch] = is_whole ? 1 : 0;
+                if (is_whole) add(patch, chart.chart, i - all.first);
+            }
+    }
+
+    // What is at this place of the links, if nothing stands between.
+    void add(std::uint32_t sender, std::uint32_t chart, std::size_t at) {
+        const float share = cell_links_.share[at];
+        if (!(share > transport::RayLinks::least)) return;
+        possible_.push_back({sender, chart, share, 0.0F, 0.0F});
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            towards_.axes[axis].push_back(cell_links_.towards[axis][at]);
+    }
+
+    // A cell, or its patches where it is closer than `least` of its half diagonals.
+    void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::Part& part, double least) {
+        const std::uint32_t cell = part.number;
         const Cell& sender = patches_.cells()[cell];
         if (sender.covered) return;
         const Way way(place, sender.linked_middle, sender.normal);
-        const bool is_wide = sender.spread > most_spread;
+        const bool is_wide = sender.spread > LinkedCells::most_spread;
         if (!is_wide && way.is_far(sender.half_diagonal_m, least)) {
             by_link_[cell] = By::cell;
             const double area_m2 = patches_.cell_area_m2(cell);
@@ -180,7 +213,7 @@ private:
             return;
         }
         by_link_[cell] = By::patches;
-        for (const LinkedPatch& patch : linked_.patches_of(index)) {
+        for (const LinkedPatch& patch : linked_.single_patches(part)) {
             std::uint8_t& has_link = has_link_[patch.number];
             has_link = 1;
             if (sender.is_on_sheet || sender.is_bright) {
@@ -189,7 +222,9 @@ private:
                            sender.chart);
                 continue;
             }
-            has_link = is_far(distance2_of(place, patch, sender.chart), patch.half_across_m, least_of_patch) ? 1 : 0;
+            has_link =
+                is_far(distance2_of(place, patch, sender.chart), patch.half_across_m, LinkedCells::least_of_patch) ? 1
+                                                                                                                   : 0;
             if (has_link == 0) continue;
             if (patch.half_length_m > 0.0) {
                 link_stretched(place, frame, patch, sender.chart);
@@ -198,8 +233,7 @@ private:
             const Way to_patch(place, patch.middle, patch.normal);
             if (!(to_patch.here > 0.0)) continue;
             const Along along(to_patch);
-            const double cosine = is_wide ? patches_.mean_cosine(patch.number, -along.direction)
-                                          : facing(to_patch, along, 0.5 * sender.spread);
+            const double cosine = patches_.mean_cosine(patch.number, -along.direction);
             consider(along, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number, sender.chart);
         }
     }
@@ -230,7 +264,7 @@ private:
     void link_stretched(const Receivers::Place& place, const Frame& frame, const LinkedPatch& patch,
                         std::uint32_t chart) {
         const double across_m = patch.half_across_m;
-        const double least_m = std::sqrt(distance2_of(place, patch, chart)) / least_of_patch;
+        const double least_m = std::sqrt(distance2_of(place, patch, chart)) / LinkedCells::least_of_patch;
         const double half_part_m =
             std::max(std::sqrt(std::max(least_m * least_m - across_m * across_m, 0.0)), across_m);
         const double parts = std::min(std::ceil(patch.half_length_m / half_part_m), most_parts);
@@ -364,14 +398,16 @@ private:
     }
 
     BundleCaster caster_;
+    const transport::RayKernels& kernels_;
     const Patches& patches_;
     const LinkedCells& linked_;
     // For the current place:
-    std::vector<std::uint8_t> is_before_; // by chart
-    std::vector<float> faces_;            // of the linked cells
-    std::vector<By> by_link_;             // by cell
-    std::vector<std::uint8_t> has_link_;  // by patch, of cells that are linked by patches
-    struct Possible {                     // a link, or a part of one, if nothing stands between
+    std::vector<std::uint8_t> is_before_;     // by chart
+    CellLinks cell_links_;                    // of parts of one chart
+    std::vector<LinkedCells::Range> divided_; // the patches of cells
+    std::vector<By> by_link_;                 // by cell
+    std::vector<std::uint8_t> has_link_;      // by patch, of cells that are linked by patches
+    struct Possible {                         // a link, or a part of one, if nothing stands between
         std::uint32_t sender;
         std::uint32_t chart;
         float share;
@@ -428,12 +464,11 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
             factors.push_back(place.ray_factor);
     for (const std::size_t factor : factors)
         directions_.emplace_back(cosine_directions(factor * rays));
-    const RayCaster caster(stage);
     blocks_.resize((places.size() + places_together - 1) / places_together);
     first_link_.assign(places.size() + 1, 0);
     first_link_slope_.assign(places.size() + 1, 0);
     parallel_for(blocks_.size(), threads, [&](std::size_t block) {
-        Bundle bundle(stage, caster, patches, set);
+        Bundle bundle(stage, patches, set);
         std::vector<Link> links;
         std::vector<LinkSlope> slopes;
         const std::size_t first = block * places_together;

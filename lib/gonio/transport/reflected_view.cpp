@@ -91,14 +91,17 @@ void ReflectedView::clear_rays() {
 }
 
 // What a ray shows of the surface that it met, without what it will show beyond that.
-glm::vec3 ReflectedView::seen_at(std::size_t ray, float between_m, const glm::vec3& weight, bool goes_on) {
+glm::vec3 ReflectedView::seen_at(const glm::dvec3& anchor, std::size_t ray, float between_m, const glm::vec3& weight,
+                                 bool goes_on) {
     const PatchPlace& end = ends_[ray];
     const glm::vec3 direction(direction_[0][ray], direction_[1][ray], direction_[2][ray]);
     const Chart& chart = geometry_.patches().charts().all()[end.chart];
     const glm::vec3 by_metal = goes_on && has_metals_ ? surfaces_[chart.surface]->by_metal : glm::vec3(0.0F);
     if (by_metal != glm::vec3(0.0F)) {
-        const glm::dvec2 at(end.u, end.v);
-        on_metal_.push_back({static_cast<std::uint32_t>(chart.surface), chart.position(at), chart.normal(at),
+        const glm::dvec3 origin(origin_[0][ray], origin_[1][ray], origin_[2][ray]);
+        const Chart::Spot at =
+            chart.nearest(anchor + origin + static_cast<double>(end.distance_m) * glm::dvec3(direction));
+        on_metal_.push_back({static_cast<std::uint32_t>(chart.surface), at.position, at.normal,
                              -glm::normalize(glm::dvec3(direction)), weight, ray_width_[ray], of_[ray], index_[ray]});
     }
     return indirect_->luminance_at(end, between_m, -direction, by_metal);
@@ -121,7 +124,7 @@ void ReflectedView::go_on(const glm::dvec3& anchor, std::vector<Shown>& shown) {
         for (std::size_t ray = 0; ray < of_.size(); ++ray)
             if (ends_[ray].chart != no_patch && ends_[ray].chart != back_side)
                 shown[of_[ray]].nt +=
-                    weight_[ray] * seen_at(ray, ray_width_[ray] * ends_[ray].distance_m, weight_[ray], false);
+                    weight_[ray] * seen_at(anchor, ray, ray_width_[ray] * ends_[ray].distance_m, weight_[ray], false);
         clear_rays();
     }
 }
@@ -164,7 +167,7 @@ void ReflectedView::cast(const SurfaceSamples& samples, std::vector<Shown>& show
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
         of.kept += weight;
-        if (indirect_ != nullptr) of.nt += weight * seen_at(i, between_m, weight, true);
+        if (indirect_ != nullptr) of.nt += weight * seen_at(samples.anchor, i, between_m, weight, true);
     }
     clear_rays();
     go_on(samples.anchor, shown);

@@ -81,7 +81,8 @@ private:
     Mirror mirror(const glm::dvec3& from_anchor, const glm::dvec3& normal, const glm::dvec3& view,
                   const LobeRays& lobe) const;
     void add(const Mirror& mirror, const LobeRay& ray, std::uint32_t of, std::size_t index);
-    glm::vec3 seen_at(std::size_t ray, float between_m, const glm::vec3& weight, bool goes_on);
+    glm::vec3 seen_at(const glm::dvec3& anchor, std::size_t ray, float between_m, const glm::vec3& weight,
+                      bool goes_on);
     void add(const glm::dvec3& anchor, const OnMetal& at, const LobeRays& lobe);
     void go_on(const glm::dvec3& anchor, std::vector<Shown>& shown);
     void clear_rays();
