@@ -226,6 +226,38 @@ void ReflectedView::cast_at_corners(const SampleSquares& squares, const LobeRays
     }
 }
 
+namespace {
+
+// Some of the rays of a lobe, and how many each stands for.
+struct Some {
+    std::size_t first = 0;
+    std::size_t step = 1;
+    float weight = 1.0F;
+};
+
+// The points of a pixel on an outline, which come one after the other, share the rays that a whole pixel has.
+Some rays_of(const SurfaceSamples& samples, std::size_t i, std::size_t rays) {
+    if (samples.center[i] >= 0) return {};
+    const auto is_beside = [&](std::size_t other) {
+        return samples.center[other] < 0 && samples.pixel[other] == samples.pixel[i];
+    };
+    std::size_t first = i;
+    while (first > 0 && is_beside(first - 1))
+        --first;
+    std::size_t last = i + 1;
+    while (last < samples.size() && is_beside(last))
+        ++last;
+    constexpr std::size_t least = 16; // of a point
+    Some some;
+    some.step = std::clamp<std::size_t>(rays / least, 1, last - first);
+    some.first = (i - first) % some.step;
+    const std::size_t count = (rays - some.first + some.step - 1) / some.step;
+    some.weight = static_cast<float>(rays) / static_cast<float>(count);
+    return some;
+}
+
+} // namespace
+
 const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, const SampleSquares& squares,
                                                        const LobeRays& lobe) {
     const bool has_squares = lobe.count() >= least_rays && !squares.squares.empty();
@@ -237,8 +269,12 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         const SampleSquares::Within within = has_squares ? squares.of_sample[i] : SampleSquares::Within();
         if (within.square == SampleSquares::none) {
             const Mirror at = mirror(samples, i, lobe);
-            for (std::size_t ray = 0; at.is_seen && ray < lobe.count(); ++ray)
-                add(at, lobe.ray(at.view, ray), of, ray);
+            const Some some = rays_of(samples, i, lobe.count());
+            for (std::size_t ray = some.first; at.is_seen && ray < lobe.count(); ray += some.step) {
+                LobeRay one = lobe.ray(at.view, ray);
+                one.weight *= some.weight;
+                add(at, one, of, ray);
+            }
         } else {
             const std::array<Shown, 4>& corners = between_[within.square];
             shown_[i].add((1.0F - within.u) * (1.0F - within.v), corners[0]);

@@ -87,6 +87,44 @@ TEST(ReflectedView, InterpolatesWhatChangesLittle) {
     }
 }
 
+// Sixteen points of a pixel on an outline have as many rays together as a whole pixel, and show in the mean what they
+// show with all rays each.
+TEST(ReflectedView, PointsOfAnOutlineShareRays) {
+    const Stage stage = make_stage("room").value();
+    const std::vector<Light> lights{light_of("rect:w=60cm,h=30cm", "3000lm", stage.light.position)};
+    LightingOptions options;
+    options.bounces = all_bounces;
+    const Interreflection indirect = Interreflection::of(stage, lights, options).value();
+    const SurroundingsReflectances surfaces = reflectances_of(stage);
+    ReflectedView view(*indirect.geometry(), &indirect, nullptr, surfaces, options.instruction_set);
+    Floor floor(stage.camera.position);
+    for (const char* material : {"ue4:base=0.9,metallic=1,roughness=0.9", "ue4:base=0.9,metallic=1,roughness=0.5"})
+        for (const LobeRays& lobe : lobe_rays(core_material(parse_material(material).value()))) {
+            const std::vector<glm::vec3> exact = view.luminance(floor.samples, {}, lobe);
+            SurfaceSamples outline = floor.samples;
+            for (std::size_t i = 0; i < outline.size(); ++i) {
+                outline.pixel[i] = static_cast<std::uint32_t>(i / 16);
+                outline.center[i] = -1;
+            }
+            const std::vector<glm::vec3> found = view.luminance(outline, {}, lobe);
+            ASSERT_EQ(found.size() % 16, 0U);
+            double square = 0.0;
+            double mean = 0.0;
+            std::size_t same = 0;
+            for (std::size_t i = 0; i < found.size(); i += 16) {
+                double off = 0.0;
+                for (std::size_t k = i; k < i + 16; ++k) {
+                    off += (static_cast<double>(found[k].y) - static_cast<double>(exact[k].y)) / 16.0;
+                    mean += static_cast<double>(exact[k].y) / static_cast<double>(found.size());
+                    same += found[k].y == exact[k].y ? 1U : 0U;
+                }
+                square += off * off * 16.0 / static_cast<double>(found.size());
+            }
+            EXPECT_LT(same, found.size() / 100) << material;
+            EXPECT_LT(std::sqrt(square), 0.01 * mean) << material;
+        }
+}
+
 // A mirror shows a mirror, which shows a lit wall.
 TEST(ReflectedView, GoesOnFromMetals) {
     const Material mirror = GgxMaterial{glm::dvec3(0.9), 0.001};
