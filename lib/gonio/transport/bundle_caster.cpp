@@ -169,11 +169,13 @@ void BundleCaster::find_nearer(std::uint32_t chart) {
         const float cosine_of_both = whole.cosine * target.cosine - whole.sine * target.sine;
         return target.nearest_m <= farthest && glm::dot(whole.axis, target.axis) >= cosine_of_both - rounding;
     };
-    // Beyond the plane of a rectangle, as seen from the rays' origin, or across it.
+    // Beyond the plane of a rectangle, as seen from the rays' origin, or across it. What a solid stands on hides
+    // nothing.
     const auto crosses = [&](const transport::RayRectangle& rectangle) {
         if (is_all_around) return true;
-        const float along = glm::dot(glm::make_vec3(rectangle.normal), center);
-        return rectangle.height > 0.0F ? along + radius >= rectangle.height : along - radius <= rectangle.height;
+        constexpr float standing = 0.999F;
+        const float along = glm::dot(glm::make_vec3(rectangle.normal), center) - rectangle.height;
+        return (rectangle.height > 0.0F ? along : -along) > -standing * radius;
     };
     // Other faces of the same box do not hide points that are turned to the origin.
     const auto is_own = [&](std::uint32_t of) { return patches_.charts().all()[of].surface == surface; };
