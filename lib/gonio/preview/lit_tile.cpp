@@ -576,8 +576,7 @@ void LitTile::shade_edges(const LitLight& light) {
     struct Edge {
         std::size_t surface;
         ShadowPoints points;
-        std::vector<std::uint32_t> pixel;
-        std::vector<float> share;
+        std::vector<std::size_t> center; // of the pixel of each
     };
     std::vector<Edge> by_surface;
     for (const std::size_t center : edges_)
@@ -590,8 +589,7 @@ void LitTile::shade_edges(const LitLight& light) {
                 found = by_surface.end() - 1;
             }
             found->points.add(seen.hit.position, seen.hit.normal, seen.view);
-            found->pixel.push_back(tile_.pixel_of(center));
-            found->share.push_back(tile_.share_of(center) / (edge_samples * edge_samples));
+            found->center.push_back(center);
         }
     for (const Edge& edge : by_surface) {
         const std::vector<Visible>& visible = visible_at(light, edge.surface, edge.points);
@@ -600,8 +598,9 @@ void LitTile::shade_edges(const LitLight& light) {
         visible_.clear();
         for (std::size_t i = 0; i < visible.size(); ++i) {
             if (visible[i].is_none()) continue;
-            samples.add({edge.points.position(i), edge.points.normal(i), edge.points.view(i)}, edge.pixel[i],
-                        static_cast<double>(edge.share[i]), -1);
+            samples.add({edge.points.position(i), edge.points.normal(i), edge.points.view(i)},
+                        tile_.pixel_of(edge.center[i]),
+                        static_cast<double>(tile_.share_of(edge.center[i])) / (edge_samples * edge_samples), -1);
             visible_.push_back(visible[i]);
         }
         stats_.at_shadow_edges += samples.size();

@@ -131,8 +131,7 @@ void spread_over(const Polygon& polygon, double area, std::span<glm::dvec2> poin
             here = area_to(++triangle);
         }
         const double along = here > 0.0 ? std::clamp((wanted - before) / here, 0.0, 1.0) : 0.5;
-        const double golden = 0.5 + static_cast<double>(i) * (std::numbers::phi - 1.0);
-        const double away = std::sqrt(golden - std::floor(golden));
+        const double away = std::sqrt(std::fmod(0.5 + static_cast<double>(i) / std::numbers::phi, 1.0));
         const glm::dvec2 side = polygon[triangle - 1] + along * (polygon[triangle] - polygon[triangle - 1]);
         points[i] = middle + within * (polygon[0] + away * (side - polygon[0]) - middle);
     }

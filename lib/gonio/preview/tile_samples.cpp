@@ -53,7 +53,7 @@ TileSamples::TileSamples(const RayScene& scene, int left, int top)
     }
     const ThinLights thin(scene, {left_, top_, right_, bottom_}, seen_lights_, seen_surfaces_);
     look_through_centers();
-    on_outline_.resize(centers_.size());
+    mixed_.resize(centers_.size());
     fine_index_.resize(centers_.size(), -1);
     find_outlines();
     look_at(thin);
@@ -69,11 +69,11 @@ void TileSamples::look_through_centers() {
 }
 
 void TileSamples::find_outlines() {
-    centers_.put_changes(static_cast<std::size_t>(stride_), on_outline_);
+    centers_.put_changes(static_cast<std::size_t>(stride_), mixed_);
     if (seen_lights_.empty()) return;
     // An image may have outlines of its own within the pixel.
     for (std::size_t at = 0; at < centers_.size(); ++at)
-        if (centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr) on_outline_[at] = 1;
+        if (centers_.is_emitter(at) && scene_.lights[centers_.light_of(at)].image != nullptr) mixed_[at] = outline;
 }
 
 void TileSamples::look_at(const ThinLights& thin) {
@@ -102,8 +102,7 @@ void TileSamples::look_at(const ThinLights& thin) {
         std::sort(lights.begin(), lights.end());
         within_pixel_.cast(surfaces, lights);
 
-        const std::size_t center = static_cast<std::size_t>(first.y - top_ + 1) * static_cast<std::size_t>(stride_) +
-                                   static_cast<std::size_t>(first.x - left_ + 1);
+        const std::size_t center = center_at(first.x, first.y);
         ThinOfPixel& here = thin_of_pixel_[center];
         here.first = static_cast<std::uint32_t>(thin_seen_.size());
         double covered = 0.0;
@@ -120,7 +119,7 @@ void TileSamples::look_at(const ThinLights& thin) {
         here.count = static_cast<std::uint32_t>(thin_seen_.size()) - here.first;
         here.left = static_cast<float>(std::max(1.0 - covered, 0.0));
         // A surface that emits is added up by the points of its pixel.
-        if (here.count > 0 && !scene_.emitted.empty()) on_outline_[center] = 1;
+        if (here.count > 0) mixed_[center] |= scene_.emitted.empty() ? thin_light : outline;
     }
 }
 
@@ -216,8 +215,8 @@ void TileSamples::add_mixed_rows(std::size_t first, std::size_t columns, std::si
     const auto stride = static_cast<std::size_t>(stride_);
     for (std::size_t row = first; row < first + rows * stride; row += stride)
         for (std::size_t center = row; center < row + columns;) {
-            const auto left = static_cast<double>(share_of(center));
-            if (is_mixed(center)) {
+            if (mixed_[center] != 0) {
+                const auto left = static_cast<double>(share_of(center));
                 add_thin_lights(center);
                 if (!on_outline(center))
                     add(centers_.at(center), pixel_of(center), left, static_cast<std::int32_t>(center));
@@ -228,7 +227,7 @@ void TileSamples::add_mixed_rows(std::size_t first, std::size_t columns, std::si
                 continue;
             }
             const std::size_t begin = center;
-            while (center < row + columns && !is_mixed(center))
+            while (center < row + columns && mixed_[center] == 0)
                 ++center;
             add_block(begin, center - begin, 1);
         }
@@ -240,12 +239,11 @@ void TileSamples::collect() {
         for (int block_x = left_; block_x < right_; block_x += block_size) {
             const auto columns = static_cast<std::size_t>(std::min(block_size, right_ - block_x));
             const auto rows = static_cast<std::size_t>(std::min(block_size, bottom_ - block_y));
-            const std::size_t first =
-                static_cast<std::size_t>(block_y - top_ + 1) * stride + static_cast<std::size_t>(block_x - left_ + 1);
+            const std::size_t first = center_at(block_x, block_y);
             unsigned mixed = 0;
             for (std::size_t row = first; row < first + rows * stride; row += stride)
                 for (std::size_t i = row; i < row + columns; ++i)
-                    mixed += is_mixed(i) ? 1U : 0U;
+                    mixed |= mixed_[i];
             // Beside each other without an outline between them, pixels show the same.
             if (mixed == 0)
                 add_block(first, columns, rows);

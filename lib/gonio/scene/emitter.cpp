@@ -130,7 +130,7 @@ struct Outline {
         return ellipse_outline(frame.origin, 0.5 * ellipse.width.value * frame.x, 0.5 * ellipse.height.value * frame.y);
     }
     Points operator()(const RectShape& rect) const {
-        return rectangle_outline(frame.origin, 0.5 * rect.width.value * frame.x, 0.5 * rect.height.value * frame.y);
+        return outline_points(Panel{frame, rect.width.value, rect.height.value}, eye);
     }
     Points operator()(const TubeShape& tube) const {
         return outline_points(Capsule{frame.origin, frame.x, 0.5 * tube.length.value, tube.radius.value}, eye);

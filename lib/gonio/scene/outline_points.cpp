@@ -1,6 +1,6 @@
+#include <gonio/base/frame.hpp>
 #include <gonio/scene/outline_points.hpp>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -43,18 +43,6 @@ void add_ellipse(const glm::dvec3& center, const glm::dvec3& x, const glm::dvec3
         points.push_back(center + corner.x * x + corner.y * y);
 }
 
-// A unit vector at right angles to `along`, which is not 0, and to `other` unless they are parallel.
-glm::dvec3 across(const glm::dvec3& along, const glm::dvec3& other) {
-    const glm::dvec3 both = glm::cross(along, other);
-    if (glm::dot(both, both) > 0.0) return glm::normalize(both);
-    const glm::dvec3 size = glm::abs(along);
-    const bool is_least_x = size.x <= size.y && size.x <= size.z;
-    const glm::dvec3 axis = is_least_x         ? glm::dvec3(1.0, 0.0, 0.0)
-                            : size.y <= size.z ? glm::dvec3(0.0, 1.0, 0.0)
-                                               : glm::dvec3(0.0, 0.0, 1.0);
-    return glm::normalize(glm::cross(along, axis));
-}
-
 // The circle on which lines from the eye touch a sphere, which begins at right angles to `axis`; false from inside.
 bool add_ball(const Ball& ball, const glm::dvec3& axis, double scale, const glm::dvec3& eye, Points& points) {
     const glm::dvec3 toward = eye - ball.center;
@@ -62,9 +50,8 @@ bool add_ball(const Ball& ball, const glm::dvec3& axis, double scale, const glm:
     const double radius2 = ball.radius * ball.radius;
     if (!(distance2 > radius2)) return false;
     const double radius = scale * ball.radius * std::sqrt(1.0 - radius2 / distance2);
-    const glm::dvec3 x = across(toward, axis);
-    const glm::dvec3 y = glm::normalize(glm::cross(toward, x));
-    add_ellipse(ball.center + radius2 / distance2 * toward, radius * x, radius * y, points);
+    const Frame frame = aimed_frame(ball.center + radius2 / distance2 * toward, toward, axis);
+    add_ellipse(frame.origin, radius * frame.x, radius * frame.y, points);
     return true;
 }
 
@@ -73,8 +60,8 @@ struct OutlineOf {
 
     Points operator()(const Plane& /*infinite*/) const { return {}; }
     Points operator()(const Panel& panel) const {
-        return rectangle_outline(panel.frame.origin, 0.5 * panel.width * panel.frame.x,
-                                 0.5 * panel.height * panel.frame.y);
+        const std::array<glm::dvec3, 4> all = corners(panel);
+        return {all.begin(), all.end()};
     }
     Points operator()(const Ball& ball) const {
         Points points;
@@ -111,17 +98,12 @@ std::vector<glm::dvec3> ellipse_outline(const glm::dvec3& center, const glm::dve
     return points;
 }
 
-std::vector<glm::dvec3> rectangle_outline(const glm::dvec3& center, const glm::dvec3& x, const glm::dvec3& y) {
-    return {center - x - y, center + x - y, center + x + y, center - x + y};
-}
-
 std::vector<glm::dvec3> cylinder_outline(const glm::dvec3& center, const glm::dvec3& half_axis, double radius,
                                          const glm::dvec3& eye) {
-    const glm::dvec3 x = across(half_axis, eye - center);
-    const glm::dvec3 y = glm::normalize(glm::cross(half_axis, x));
+    const Frame frame = aimed_frame(center, half_axis, eye - center);
     Points points;
     for (const double end : {-1.0, 1.0})
-        add_ellipse(center + end * half_axis, radius * x, radius * y, points);
+        add_ellipse(center + end * half_axis, radius * frame.x, radius * frame.y, points);
     return points;
 }
 

@@ -15,9 +15,8 @@ namespace gonio {
 // outline_points() in emitter.hpp.
 std::vector<glm::dvec3> outline_points(const Primitive& primitive, const glm::dvec3& eye);
 
-// Of flat ellipses and of cylinders without caps, given by half axes that are at right angles.
+// Of flat ellipses, given by half axes that are at right angles, and of cylinders without caps.
 std::vector<glm::dvec3> ellipse_outline(const glm::dvec3& center, const glm::dvec3& x, const glm::dvec3& y);
-std::vector<glm::dvec3> rectangle_outline(const glm::dvec3& center, const glm::dvec3& x, const glm::dvec3& y);
 std::vector<glm::dvec3> cylinder_outline(const glm::dvec3& center, const glm::dvec3& half_axis, double radius,
                                          const glm::dvec3& eye);
 

@@ -16,15 +16,14 @@ namespace gonio::transport::detail {
 using gonio::detail::spread;
 using shading::vec3;
 
-// Where a ray enters a sphere, from the miss distance and not from b² − 4ac: far spheres keep their outline. Both are
-// negative where it does not.
+// Where a ray enters a sphere, from the miss distance and not from b² − 4ac: far spheres keep their outline. Negative
+// where it does not.
 template<class S>
-GONIO_FORCE_INLINE S entry(S radius, const vec3<S>& to_center, const vec3<S>& direction, S& exit) {
+GONIO_FORCE_INLINE S entry(S radius, const vec3<S>& to_center, const vec3<S>& direction) {
     const S along = dot(to_center, direction);
     const vec3<S> miss = to_center - direction * along;
     const S half_chord2 = radius * radius - dot(miss, miss);
     const S half_chord = simd::sqrt(simd::max(half_chord2, S(0.0F)));
-    exit = simd::select(half_chord2 >= S(0.0F), along + half_chord, S(-1.0F));
     return simd::select(half_chord2 >= S(0.0F), along - half_chord, S(-1.0F));
 }
 
@@ -49,10 +48,22 @@ GONIO_FORCE_INLINE S entry(const RayCapsule& capsule, const vec3<S>& to_center, 
     const S height = simd::select(sine2 > S(parallel), simd::mul_add(along, ahead, -center_ahead), -ahead * S(1e30F));
     const S half_length(capsule.half_length);
     const auto is_beyond = simd::abs(height) > half_length;
-    S exit;
     const S end = simd::select(height > S(0.0F), half_length, -half_length);
-    const S on_end = entry(radius, mul_add(axis, end, to_center), direction, exit);
+    const S on_end = entry(radius, mul_add(axis, end, to_center), direction);
     return simd::select(is_beyond, on_end, simd::select(half_chord2 >= S(0.0F), along, S(-1.0F)));
+}
+
+// Those of the capsules that rays meet before `nearest`. `from`: where they start, from the point of the targets.
+template<class S>
+GONIO_FORCE_INLINE void meet_capsules(const RayTargets& targets, const vec3<S>& from, const vec3<S>& direction,
+                                      S& nearest, S& target) {
+    const std::size_t before = targets.rectangle_count + targets.sphere_count;
+    for (std::size_t i = 0; i < targets.capsule_count; ++i) {
+        const S distance = entry(targets.capsules[i], spread<S>(targets.capsules[i].center) - from, direction);
+        const auto first = simd::both(distance > S(0.0F), distance < nearest);
+        nearest = simd::select(first, distance, nearest);
+        target = simd::select(first, S(static_cast<float>(before + i)), target);
+    }
 }
 
 // Which sphere rays meet first, and where.
@@ -116,22 +127,15 @@ void first_hits(const RayTargets& targets, const RayFrame& frame, const float* c
         v = v * per_facing;
         SphereHit<S> on_sphere;
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
-            S exit;
             const vec3<S> center = spread<S>(targets.spheres[i].center);
-            const S distance = entry(S(targets.spheres[i].radius), center, direction, exit);
+            const S distance = entry(S(targets.spheres[i].radius), center, direction);
             const auto first = simd::both(distance > S(0.0F), distance < nearest);
             nearest = simd::select(first, distance, nearest);
             target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
             on_sphere.note(first, center);
         }
         on_sphere.coordinates(direction * nearest, u, v);
-        const std::size_t before = targets.rectangle_count + targets.sphere_count;
-        for (std::size_t i = 0; i < targets.capsule_count; ++i) {
-            const S distance = entry(targets.capsules[i], spread<S>(targets.capsules[i].center), direction);
-            const auto first = simd::both(distance > S(0.0F), distance < nearest);
-            nearest = simd::select(first, distance, nearest);
-            target = simd::select(first, S(static_cast<float>(before + i)), target);
-        }
+        meet_capsules(targets, vec3<S>{S(0.0F), S(0.0F), S(0.0F)}, direction, nearest, target);
         packet.store(target, hits.target);
         packet.store(nearest, hits.distance);
         packet.store(u, hits.u);
@@ -183,23 +187,15 @@ void first_hits_of_scattered(const RayTargets& targets, const float* const origi
         v = v * per_steepness;
         SphereHit<S> on_sphere;
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
-            S exit;
             const vec3<S> center = spread<S>(targets.spheres[i].center);
-            const S distance = entry(S(targets.spheres[i].radius), center - origin, direction, exit);
+            const S distance = entry(S(targets.spheres[i].radius), center - origin, direction);
             const auto first = simd::both(distance > S(0.0F), distance < nearest);
             nearest = simd::select(first, distance, nearest);
             target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
             on_sphere.note(first, center);
         }
         on_sphere.coordinates(mul_add(direction, nearest, origin), u, v);
-        const std::size_t before = targets.rectangle_count + targets.sphere_count;
-        for (std::size_t i = 0; i < targets.capsule_count; ++i) {
-            const vec3<S> to_center = spread<S>(targets.capsules[i].center) - origin;
-            const S distance = entry(targets.capsules[i], to_center, direction);
-            const auto first = simd::both(distance > S(0.0F), distance < nearest);
-            nearest = simd::select(first, distance, nearest);
-            target = simd::select(first, S(static_cast<float>(before + i)), target);
-        }
+        meet_capsules(targets, origin, direction, nearest, target);
         packet.store(target, hits.target);
         packet.store(nearest, hits.distance);
         packet.store(u, hits.u);

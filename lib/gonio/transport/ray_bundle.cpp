@@ -151,8 +151,6 @@ private:
 
     // A chart by cells, and those that are too close by their patches.
     void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::OfChart& chart) {
-        const bool is_flat = patches_.charts().all()[chart.chart].kind == Chart::Kind::flat;
-        const double least = is_flat ? LinkedCells::least_of_flat : LinkedCells::least_of_round;
         const auto count = static_cast<std::uint32_t>(patches_.count());
         divided_.clear();
         linked_.find_links(kernels_, frame, chart, chart.cells, cell_links_);
@@ -167,7 +165,7 @@ private:
                 by_link_[cell.number] = By::patches;
                 divided_.push_back(cell.patches);
             } else {
-                link(place, frame, cell, least);
+                link(place, frame, cell);
             }
         }
         if (divided_.empty()) return;
@@ -192,14 +190,13 @@ private:
             towards_.axes[axis].push_back(cell_links_.towards[axis][at]);
     }
 
-    // A cell, or its patches where it is closer than `least` of its half diagonals.
-    void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::Part& part, double least) {
+    // A cell that no kernel links: one that is uneven and flat, which may be linked as a whole, or its patches.
+    void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::Part& part) {
         const std::uint32_t cell = part.number;
         const Cell& sender = patches_.cells()[cell];
         if (sender.covered) return;
         const Way way(place, sender.linked_middle, sender.normal);
-        const bool is_wide = sender.spread > LinkedCells::most_spread;
-        if (!is_wide && way.is_far(sender.half_diagonal_m, least)) {
+        if (sender.is_uneven() && way.is_far(sender.half_diagonal_m, LinkedCells::least_of_flat)) {
             by_link_[cell] = By::cell;
             const double area_m2 = patches_.cell_area_m2(cell);
             if (sender.is_bright) {
@@ -209,7 +206,7 @@ private:
             const Along along(way);
             consider(along, frame, form_factor(way, along, facing(way, along, sender.spread), area_m2),
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
-                     sender.is_uneven() ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
+                     slopes_of_form_factor(way, place, sender, area_m2));
             return;
         }
         by_link_[cell] = By::patches;

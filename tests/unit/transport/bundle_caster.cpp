@@ -44,10 +44,16 @@ std::vector<Place> places_in(const Stage& stage) {
     return places;
 }
 
+// A stage with solids of every kind, if there are any on it or beside it.
+Stage crowded(const char* name) {
+    Stage stage = make_stage(name).value();
+    if (name == std::string_view("room")) add_figure(stage);
+    return stage;
+}
+
 TEST(BundleCaster, MeetsWhatRaysInDoubleMeet) {
     for (const char* name : {"street", "card", "room", "spheres"}) {
-        Stage stage = make_stage(name).value();
-        if (name == std::string_view("room")) add_figure(stage);
+        const Stage stage = crowded(name);
         const Patches patches(stage, interest_of(stage, {}), {}, 500.0, 1);
         const RayCaster caster(stage);
         const std::vector<glm::dvec3> directions = cosine_directions(1000);
@@ -88,8 +94,7 @@ TEST(BundleCaster, MeetsWhatRaysInDoubleMeet) {
 // stand between, or with none.
 TEST(BundleCaster, MeetsNothingElseTowardsAChart) {
     for (const char* name : {"street", "card", "room", "spheres"}) {
-        Stage stage = make_stage(name).value();
-        if (name == std::string_view("room")) add_figure(stage);
+        const Stage stage = crowded(name);
         const Patches patches(stage, interest_of(stage, {}), {}, 2000.0, 1);
         BundleCaster bundle(stage, patches, simd::best_available());
         std::size_t rays = 0;
@@ -129,8 +134,7 @@ TEST(BundleCaster, MeetsNothingElseTowardsAChart) {
 // Rays with origins of their own, from one surface.
 TEST(ScatteredCaster, MeetsWhatRaysInDoubleMeet) {
     for (const char* name : {"street", "card", "room", "spheres"}) {
-        Stage stage = make_stage(name).value();
-        if (name == std::string_view("room")) add_figure(stage);
+        const Stage stage = crowded(name);
         const Patches patches(stage, interest_of(stage, {}), {}, 500.0, 1);
         const RayCaster caster(stage);
         const std::vector<Place> places = places_in(stage);

@@ -57,19 +57,35 @@ SurroundingsReflectances reflectances_of(const Stage& stage) {
     return all;
 }
 
+// What the floor of `room` shows of it, under a rectangle.
+struct LitRoom {
+    Stage stage = make_stage("room").value();
+    LightingOptions options = with_all_bounces();
+    Interreflection indirect = light_up();
+    SurroundingsReflectances surfaces = reflectances_of(stage);
+    ReflectedView view{*indirect.geometry(), &indirect, nullptr, surfaces, options.instruction_set};
+    Floor floor{stage.camera.position};
+
+    static LightingOptions with_all_bounces() {
+        LightingOptions options;
+        options.bounces = all_bounces;
+        return options;
+    }
+
+private:
+    Interreflection light_up() const {
+        const std::vector<Light> lights{light_of("rect:w=60cm,h=30cm", "3000lm", stage.light.position)};
+        return Interreflection::of(stage, lights, options).value();
+    }
+};
+
 // Beside a box, whose image has an edge.
 TEST(ReflectedView, InterpolatesWhatChangesLittle) {
-    const Stage stage = make_stage("room").value();
-    const std::vector<Light> lights{light_of("rect:w=60cm,h=30cm", "3000lm", stage.light.position)};
-    LightingOptions options;
-    options.bounces = all_bounces;
-    const Interreflection indirect = Interreflection::of(stage, lights, options).value();
-    const Floor floor(stage.camera.position);
-    for (const LobeRays& lobe : lobe_rays(core_material(stage.surfaces.front().material))) {
-        const SurroundingsReflectances surfaces = reflectances_of(stage);
-        ReflectedView view(*indirect.geometry(), &indirect, nullptr, surfaces, options.instruction_set);
-        const std::vector<glm::vec3> exact = view.luminance(floor.samples, {}, lobe);
-        const std::vector<glm::vec3> found = view.luminance(floor.samples, floor.squares, lobe);
+    LitRoom room;
+    const Floor& floor = room.floor;
+    for (const LobeRays& lobe : lobe_rays(core_material(room.stage.surfaces.front().material))) {
+        const std::vector<glm::vec3> exact = room.view.luminance(floor.samples, {}, lobe);
+        const std::vector<glm::vec3> found = room.view.luminance(floor.samples, floor.squares, lobe);
         double mean = 0.0;
         double worst = 0.0;
         double square = 0.0;
@@ -90,23 +106,17 @@ TEST(ReflectedView, InterpolatesWhatChangesLittle) {
 // Sixteen points of a pixel on an outline have as many rays together as a whole pixel, and show in the mean what they
 // show with all rays each.
 TEST(ReflectedView, PointsOfAnOutlineShareRays) {
-    const Stage stage = make_stage("room").value();
-    const std::vector<Light> lights{light_of("rect:w=60cm,h=30cm", "3000lm", stage.light.position)};
-    LightingOptions options;
-    options.bounces = all_bounces;
-    const Interreflection indirect = Interreflection::of(stage, lights, options).value();
-    const SurroundingsReflectances surfaces = reflectances_of(stage);
-    ReflectedView view(*indirect.geometry(), &indirect, nullptr, surfaces, options.instruction_set);
-    Floor floor(stage.camera.position);
+    LitRoom room;
+    const Floor& floor = room.floor;
     for (const char* material : {"ue4:base=0.9,metallic=1,roughness=0.9", "ue4:base=0.9,metallic=1,roughness=0.5"})
         for (const LobeRays& lobe : lobe_rays(core_material(parse_material(material).value()))) {
-            const std::vector<glm::vec3> exact = view.luminance(floor.samples, {}, lobe);
+            const std::vector<glm::vec3> exact = room.view.luminance(floor.samples, {}, lobe);
             SurfaceSamples outline = floor.samples;
             for (std::size_t i = 0; i < outline.size(); ++i) {
                 outline.pixel[i] = static_cast<std::uint32_t>(i / 16);
                 outline.center[i] = -1;
             }
-            const std::vector<glm::vec3> found = view.luminance(outline, {}, lobe);
+            const std::vector<glm::vec3> found = room.view.luminance(outline, {}, lobe);
             ASSERT_EQ(found.size() % 16, 0U);
             double square = 0.0;
             double mean = 0.0;

@@ -59,7 +59,7 @@ public:
     std::ptrdiff_t stride() const { return stride_; }
 
     // Whether the pixel of this centre is the mean of several points, because an outline crosses it.
-    bool on_outline(std::size_t center) const { return on_outline_[center] != 0; }
+    bool on_outline(std::size_t center) const { return (mixed_[center] & outline) != 0; }
 
     // The part of a centre's pixel that no thin light covers, in [0, 1].
     float share_of(std::size_t center) const { return thin_of_pixel_.empty() ? 1.0F : thin_of_pixel_[center].left; }
@@ -70,16 +70,15 @@ public:
     const FineSamples& fine(std::size_t center);
 
     std::uint32_t pixel_of(std::size_t center) const;
+    std::size_t center_at(int x, int y) const { // of a pixel of the tile
+        return static_cast<std::size_t>((y - top_ + 1) * stride_ + x - left_ + 1);
+    }
 
 private:
     void look_through_centers();
     void find_outlines();
     // Which points of thin lights nothing hides, and what they leave of their pixels.
     void look_at(const ThinLights& thin);
-    // Whether the pixel shows more than its centre.
-    bool is_mixed(std::size_t center) const {
-        return on_outline(center) || (!thin_of_pixel_.empty() && thin_of_pixel_[center].count > 0);
-    }
     void collect();
     SurfaceSamples& samples_of(std::size_t surface);
     // The centres of a rectangle as whole pixels, which all show the same.
@@ -107,7 +106,8 @@ private:
         float widening;
     };
     std::vector<ThinSeen> thin_seen_;
-    std::vector<std::uint8_t> on_outline_;
+    static constexpr std::uint8_t outline = 1, thin_light = 2;
+    std::vector<std::uint8_t> mixed_; // by centre: why its pixel shows more than that, or 0
     std::vector<std::int32_t> fine_index_;
     std::vector<FineSamples> fine_;
     std::vector<SurfaceSamples> surfaces_;
