@@ -48,16 +48,15 @@ void LitTile::light_up() {
     show_subjects();
     count_samples();
     if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
-    if (options_.error > 0.0)
-        for (const SurfaceSamples& samples : tile_.surfaces()) {
-            Known& known = known_.emplace_back();
-            for (std::size_t channel = 0; channel < 4; ++channel) {
-                known.light[channel].resize(samples.size());
-                known.error[channel].resize(samples.size());
-            }
-            known.lobe = LobeVariation::of(scene_.core_materials[samples.surface]);
-            known.parts.resize(samples.chunks.size());
-        }
+    for (const SurfaceSamples& samples : tile_.surfaces()) {
+        Amounts none;
+        for (std::size_t channel = 0; channel < channels(); ++channel)
+            none[channel].resize(samples.size());
+        gathered_.push_back(none);
+        if (options_.error > 0.0)
+            known_.push_back({none, LobeVariation::of(scene_.core_materials[samples.surface]),
+                              std::vector<std::vector<ChunkPart>>(samples.chunks.size())});
+    }
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -69,6 +68,7 @@ void LitTile::light_up() {
         shade_edges(light);
     }
     shade_far();
+    add_gathered();
     complete_parts();
     stats_.not_converged += shader_.not_converged();
 }
@@ -221,19 +221,17 @@ void LitTile::add_surroundings() {
                     rgb += named->glossy(position, normal, samples.view_of(i), {samples.surface, lobe.alpha(), albedo});
             }
             rgb += std::numbers::inv_pi * lx * glm::max(diffuse, glm::dvec3(0.0));
-            add(samples, i, rgb, lx);
+            add(samples, i, glm::vec3(rgb), static_cast<float>(glm::dot(lx, rec709_luminance)));
         }
     }
 }
 
-void LitTile::add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3& nt, const glm::dvec3& lx) {
+void LitTile::add(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt, float lx) {
     for (int channel = 0; channel < 3; ++channel)
         picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
-            samples.share[i] * static_cast<float>(nt[channel]);
-    if (!reflected_.empty()) add_to_part(samples, i, samples.share[i] * glm::vec3(nt));
-    if (options_.illuminance)
-        picture_.illuminance_lx.pixels[samples.pixel[i]] +=
-            samples.share[i] * static_cast<float>(glm::dot(lx, rec709_luminance));
+            samples.share[i] * nt[channel];
+    if (!reflected_.empty()) add_to_part(samples, i, samples.share[i] * nt);
+    if (options_.illuminance) picture_.illuminance_lx.pixels[samples.pixel[i]] += samples.share[i] * lx;
 }
 
 // The lights within range of the tile, in their order.
@@ -394,8 +392,9 @@ void LitTile::shade(const LitLight& light, const Group& group) {
                 const std::int32_t center = samples.center[chunk.first + i];
                 visible_[i] =
                     center < 0 ? visible_within[of_within++] : center_visible_[static_cast<std::size_t>(center)];
-                if (visible_[i].is_none() || (center >= 0 && on_shadow_edge_[static_cast<std::size_t>(center)] != 0))
-                    weight_[i] = 0.0F;
+                if (center >= 0 && on_shadow_edge_[static_cast<std::size_t>(center)] != 0)
+                    visible_[i] = Visible{0.0F, glm::vec3(0.0F)};
+                if (visible_[i].is_none()) weight_[i] = 0.0F;
             }
             weight = weight_.data();
             through = visible_.data();
@@ -405,20 +404,43 @@ void LitTile::shade(const LitLight& light, const Group& group) {
             }
         }
         stats_.evaluated += chunk.count;
-        shade(light, samples, chunk.first, chunk.count, weight, through);
-        if (!known_.empty())
-            note(known_[static_cast<std::size_t>(&samples - tile_.surfaces().data())], chunk, weight, through);
+        shader_.shade(light, samples, chunk.first, chunk.count, weight);
+        gather(samples, chunk, through);
     }
 }
 
-void LitTile::note(Known& known, const SurfaceSamples::Chunk& chunk, const float* weight,
-                   const Visible* visible) const {
-    for (std::size_t i = 0; i < chunk.count; ++i) {
-        if (weight[i] == 0.0F) continue; // hidden, or on the edge of a shadow
-        const Visible through = visible == nullptr ? Visible() : visible[i];
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            known.light[channel][chunk.first + i] += through.rgb[static_cast<int>(channel)] * shader_.rgb()[channel][i];
-        if (options_.illuminance) known.light[3][chunk.first + i] += through.lx * shader_.lx()[i];
+const std::vector<float>& LitTile::shaded(std::size_t channel) const {
+    return channel < 3 ? shader_.rgb()[channel] : shader_.lx();
+}
+
+void LitTile::gather(const SurfaceSamples& samples, const SurfaceSamples::Chunk& chunk, const Visible* visible) {
+    Amounts& gathered = gathered_[static_cast<std::size_t>(&samples - tile_.surfaces().data())];
+    for (std::size_t channel = 0; channel < channels(); ++channel) {
+        float* const sum = gathered[channel].data() + chunk.first;
+        const float* const value = shaded(channel).data();
+        if (visible == nullptr)
+            for (std::size_t i = 0; i < chunk.count; ++i)
+                sum[i] += value[i];
+        else
+            for (std::size_t i = 0; i < chunk.count; ++i)
+                sum[i] += (channel < 3 ? visible[i].rgb[static_cast<int>(channel)] : visible[i].lx) * value[i];
+    }
+}
+
+void LitTile::add_gathered() {
+    for (std::size_t surface = 0; surface < gathered_.size(); ++surface) {
+        const SurfaceSamples& samples = tile_.surfaces()[surface];
+        const Amounts& nt = gathered_[surface];
+        float* const luminance = picture_.luminance_nt.pixels.data();
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                luminance[std::size_t{samples.pixel[i]} * 3 + channel] += samples.share[i] * nt[channel][i];
+        if (options_.illuminance)
+            for (std::size_t i = 0; i < samples.size(); ++i)
+                picture_.illuminance_lx.pixels[samples.pixel[i]] += samples.share[i] * nt[3][i];
+        if (reflected_.empty()) continue;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            add_to_part(samples, i, samples.share[i] * glm::vec3(nt[0][i], nt[1][i], nt[2][i]));
     }
 }
 
@@ -458,13 +480,20 @@ void LitTile::shade_far() {
         const SurfaceSamples& samples = tile_.surfaces()[first->surface];
         const SurfaceSamples::Chunk& chunk = samples.chunks[first->chunk];
         const Group group{&samples, {first->chunk}};
-        std::size_t failed = 0; // one after the other
+        std::size_t failed = 0;       // one after the other
+        bool from_center_fits = true; // where it did not, it hardly does for those with a greater error as points
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if ((first->forms.are_bounded && adds_as_point(*first, chunk)) ||
-                adds_from_center(light, first->surface, chunk)) {
+            if (first->forms.are_bounded && adds_as_point(*first, chunk)) {
                 failed = 0;
                 continue;
+            }
+            if (from_center_fits || !first->forms.are_bounded) {
+                from_center_fits = adds_from_center(light, first->surface, chunk);
+                if (from_center_fits) {
+                    failed = 0;
+                    continue;
+                }
             }
             shade(light, group);
             if (++failed < most_failed) continue;
@@ -531,43 +560,35 @@ bool LitTile::adds_from_center(const LitLight& light, std::size_t of_surface, co
 
 // All light is ≥ 0: the error may be a share of what is known of it, since more can only come.
 bool LitTile::adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk) {
-    const SurfaceSamples& samples = tile_.surfaces()[of_surface];
+    const Amounts& gathered = gathered_[of_surface];
     Known& known = known_[of_surface];
-    const std::size_t channels = options_.illuminance ? 4 : 3;
-    const auto values = [&](std::size_t channel) {
-        return channel < 3 ? shader_.rgb()[channel].data() : shader_.lx().data();
-    };
     const auto errors = [&](std::size_t channel) {
         return channel < 3 ? shader_.rgb_error()[channel].data() : shader_.lx_error().data();
     };
     const auto most = static_cast<float>(options_.error);
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-        const float* const value = values(channel);
+    for (std::size_t channel = 0; channel < channels(); ++channel) {
+        const float* const value = shaded(channel).data();
         const float* const error = errors(channel);
-        const float* const light_so_far = known.light[channel].data() + chunk.first;
+        const float* const light_so_far = gathered[channel].data() + chunk.first;
         const float* const error_so_far = known.error[channel].data() + chunk.first;
         unsigned misfits = 0; // counted, not branched on, so that it runs in packs
         for (std::size_t i = 0; i < chunk.count; ++i) {
             const float least = value[i] - error[i];
             const float sure = least > 0.0F ? least : 0.0F;
-            misfits += error_so_far[i] + error[i] <= most * (light_so_far[i] + sure) ? 0U : 1U;
+            const float known_light = light_so_far[i] - error_so_far[i]; // never more than the exact light
+            misfits += error_so_far[i] + error[i] <= most * (known_light + sure) ? 0U : 1U;
         }
         if (misfits > 0) return false;
     }
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-        const float* const value = values(channel);
+    for (std::size_t channel = 0; channel < channels(); ++channel) {
         const float* const error = errors(channel);
-        float* const light_so_far = known.light[channel].data() + chunk.first;
         float* const error_so_far = known.error[channel].data() + chunk.first;
-        for (std::size_t i = 0; i < chunk.count; ++i) {
-            const float least = value[i] - error[i];
-            light_so_far[i] += least > 0.0F ? least : 0.0F;
+        for (std::size_t i = 0; i < chunk.count; ++i)
             error_so_far[i] += error[i];
-        }
     }
     stats_.shadow_tests += chunk.count;
     stats_.evaluated += chunk.count;
-    add_shaded(samples, chunk.first, chunk.count, samples.share.data() + chunk.first, nullptr);
+    gather(tile_.surfaces()[of_surface], chunk, nullptr);
     return true;
 }
 
@@ -604,33 +625,11 @@ void LitTile::shade_edges(const LitLight& light) {
             visible_.push_back(visible[i]);
         }
         stats_.at_shadow_edges += samples.size();
-        shade(light, samples, 0, samples.size(), samples.share.data(), visible_.data());
-    }
-}
-
-void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
-                    const float* weight, const Visible* visible) {
-    shader_.shade(light, samples, first, count, weight);
-    add_shaded(samples, first, count, weight, visible);
-}
-
-void LitTile::add_shaded(const SurfaceSamples& samples, std::size_t first, std::size_t count, const float* weight,
-                         const Visible* visible) {
-    std::vector<float>& luminance = picture_.luminance_nt.pixels;
-    const Visible all;
-    const auto& rgb = shader_.rgb();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Visible& through = visible == nullptr ? all : visible[i];
-        float* const pixel = luminance.data() + std::size_t{samples.pixel[first + i]} * 3;
-        const glm::vec3 nt = weight[i] * through.rgb * glm::vec3(rgb[0][i], rgb[1][i], rgb[2][i]);
-        for (int channel = 0; channel < 3; ++channel)
-            pixel[channel] += nt[channel];
-        if (!reflected_.empty()) add_to_part(samples, first + i, nt);
-    }
-    if (!options_.illuminance) return;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float through = visible == nullptr ? 1.0F : visible[i].lx;
-        picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * through * shader_.lx()[i];
+        shader_.shade(light, samples, 0, samples.size(), samples.share.data());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const glm::vec3 nt(shader_.rgb()[0][i], shader_.rgb()[1][i], shader_.rgb()[2][i]);
+            add(samples, i, visible_[i].rgb * nt, options_.illuminance ? visible_[i].lx * shader_.lx()[i] : 0.0F);
+        }
     }
 }
 

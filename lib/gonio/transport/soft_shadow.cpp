@@ -58,9 +58,9 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
     shares.visible = visible_.data();
     shares.hiding = hiding_.data();
     if (has_cells) {
-        constexpr std::size_t all = ShadowShares::cells * block;
+        constexpr std::size_t all = ShadowShares::cells * cell_stride;
         cells_.resize(5 * all);
-        shares.stride = block;
+        shares.stride = cell_stride;
         shares.seen = cells_.data();
         shares.solid_angle = cells_.data() + all;
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -91,9 +91,9 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
 }
 
 void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
-    constexpr std::size_t all = ShadowShares::cells * block;
+    constexpr std::size_t all = ShadowShares::cells * cell_stride;
     for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
-        const float* const at = cells_.data() + cell * block + i;
+        const float* const at = cells_.data() + cell * cell_stride + i;
         seen_[cell] = at[0];
         light_of_[cell] = at[all];
         for (std::size_t axis = 0; axis < 3; ++axis)

@@ -84,6 +84,8 @@ public:
 
 private:
     static constexpr std::size_t block = 64; // points that are kept with their cells
+    // Between the cells of a point: not a power of two, of which few lines of a cache fit at once.
+    static constexpr std::size_t cell_stride = block + 16;
 
     void find(std::size_t own, const ShadowPoints& points, std::size_t first, std::size_t count, bool with_luminance);
     void find_cells_of(std::size_t i, const glm::dvec3& point);

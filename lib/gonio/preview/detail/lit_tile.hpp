@@ -45,7 +45,7 @@ private:
     void complete_parts();
     void count_samples();
     void add_surroundings();
-    void add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3& nt, const glm::dvec3& lx);
+    void add(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt, float lx);
     std::vector<std::uint32_t> candidates() const;
     bool find_groups(const LitLight& light);
     void find_shadows(const LitLight& light);
@@ -61,6 +61,10 @@ private:
     const std::vector<Visible>& visible_at(const LitLight& light, std::size_t surface, const ShadowPoints& points);
     void find_centers();
     void shade(const LitLight& light, const Group& group);
+    // What the shader gave a chunk, through what is `visible` of the light.
+    void gather(const SurfaceSamples& samples, const SurfaceSamples::Chunk& chunk, const Visible* visible);
+    // What was gathered becomes part of the picture.
+    void add_gathered();
     // The chunks of a group that are so far from the light that it may be seen from its centre are left for later.
     void set_aside(std::uint32_t index, Group& group);
     void shade_far();
@@ -72,13 +76,6 @@ private:
     // The same for what the shader gave with a bound.
     bool adds_shaded(std::size_t of_surface, const SurfaceSamples::Chunk& chunk);
     void shade_edges(const LitLight& light);
-    // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its
-    // share.
-    void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
-               const float* weight, const Visible* visible);
-    // The results of the shader, in the same way.
-    void add_shaded(const SurfaceSamples& samples, std::size_t first, std::size_t count, const float* weight,
-                    const Visible* visible);
 
     const LitScene& scene_;
     const RenderOptions& options_;
@@ -97,9 +94,13 @@ private:
     std::map<std::pair<std::uint32_t, std::size_t>, Reflected> reflected_; // by pixel and surface
     std::vector<std::size_t> part_surfaces_;                               // of each of partial_
 
-    // With RenderOptions::error, what every sample has got so far and how far that may be from the exact light: three
-    // channels and lux. The former is never more than the exact light.
-    using Amounts = std::array<std::vector<float>, 4>; // of all samples
+    // Of all samples of a surface: three channels [nt], and lux if they are asked for.
+    using Amounts = std::array<std::vector<float>, 4>;
+    std::size_t channels() const { return options_.illuminance ? 4 : 3; }
+    const std::vector<float>& shaded(std::size_t channel) const; // what the shader gave last
+    // What the samples of each surface of the tile have got so far. Added to the pixels after the last light: most
+    // lights reach whole chunks, whose sums are in packs.
+    std::vector<Amounts> gathered_;
     // Every so many points of a chunk, which are closer together: two rows of pixels.
     static constexpr std::size_t of_part = 16;
     static constexpr std::size_t most_parts = 4;
@@ -107,8 +108,8 @@ private:
         SampleBounds points;
         ViewBounds views;
     };
+    // With RenderOptions::error, how far what was gathered may be from the exact light.
     struct Known {
-        Amounts light;
         Amounts error;
         std::optional<LobeVariation> lobe;
         std::vector<std::vector<ChunkPart>> parts; // of each chunk; made when it is first asked for
@@ -130,8 +131,6 @@ private:
         Forms forms;
     };
     std::vector<Far> far_;
-    // What the shader gave, as known.
-    void note(Known& known, const SurfaceSamples::Chunk& chunk, const float* weight, const Visible* visible) const;
 
     // For the light that is being added:
     std::vector<Group> groups_;
