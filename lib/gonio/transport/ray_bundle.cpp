@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/transport/form_factor.hpp>
 #include <gonio/transport/ray_bundle.hpp>
 
 #include <glm/geometric.hpp>
@@ -128,6 +129,7 @@ private:
             if (is_before_[chart.chart] == 0) continue;
             const std::size_t before = possible_.size();
             link(place, frame, chart);
+            normalize_from(before);
             charts_.resize(possible_.size());
             caster_.cast_toward(chart.chart, towards_, before, charts_);
         }
@@ -204,7 +206,7 @@ private:
                 return;
             }
             const Along along(way);
-            consider(along, frame, form_factor(way, along, facing(way, along, sender.spread), area_m2),
+            consider(way.to, frame, form_factor(way, along, facing(way, along, sender.spread), area_m2),
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
                      slopes_of_form_factor(way, place, sender, area_m2));
             return;
@@ -231,7 +233,8 @@ private:
             if (!(to_patch.here > 0.0)) continue;
             const Along along(to_patch);
             const double cosine = patches_.mean_cosine(patch.number, -along.direction);
-            consider(along, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number, sender.chart);
+            consider(to_patch.to, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number,
+                     sender.chart);
         }
     }
 
@@ -252,7 +255,7 @@ private:
             sum += by_links(patch);
         for (const std::uint32_t patch : patches_.patches_of(cell)) {
             const double part = by_links(patch) / sum;
-            consider(Along(Way(place, patches_.middle(patch), sender.normal)), frame, part * share,
+            consider(patches_.middle(patch) - place.position, frame, part * share,
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart, part * slopes);
         }
     }
@@ -273,7 +276,7 @@ private:
             const Along along(way);
             const double cosine = patches_.mean_cosine(patch.number, -along.direction);
             const double share = form_factor(way, along, cosine, patch.area_m2 / parts);
-            consider(along, frame, share, patch.number, chart, {0.0, share * at});
+            consider(way.to, frame, share, patch.number, chart, {0.0, share * at});
         }
     }
 
@@ -282,11 +285,13 @@ private:
                     std::uint32_t chart) {
         if (!(factor > 0.0)) return;
         const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
-        const glm::dvec3 along_u = corners[1] - corners[0];
-        const glm::dvec3 along_v = corners[3] - corners[0];
-        if (!(glm::dot(patches_.normal(patch), place.position - corners[0]) > 0.0)) return;
-        const double length_u = glm::length(along_u);
-        const double length_v = glm::length(along_v);
+        const glm::dvec3& normal = patches_.normal(patch);
+        const glm::dvec3 to_corner = corners[0] - place.position;
+        const double there = -glm::dot(normal, to_corner); // of all parts
+        if (!(there > 0.0)) return;
+        const Parallelogram sides(place.normal, corners[1] - corners[0], corners[3] - corners[0]);
+        const double length_u = std::sqrt(sides.uu);
+        const double length_v = std::sqrt(sides.vv);
         // A covered part is taken to lie all over the patch.
         const double free = patches_.area_m2(patch) / (length_u * length_v);
         const double least_of_parts = place.is_fine ? least_of_part_for_fine : least_of_part;
@@ -294,10 +299,10 @@ private:
         while (!parts_.empty()) {
             Part part = parts_.back();
             parts_.pop_back();
-            const glm::dvec3 to = corners[0] + part.middle.x * along_u + part.middle.y * along_v - place.position;
+            const glm::dvec3 to = to_corner + part.middle.x * sides.u + part.middle.y * sides.v;
             const glm::dvec2 half_m = part.half * glm::dvec2(length_u, length_v);
-            const double least_m = least_of_parts * glm::length(half_m);
-            if (part.depth < deepest_part && glm::dot(to, to) < least_m * least_m) {
+            const bool is_small = is_far(glm::dot(to, to), glm::length(half_m), least_of_parts);
+            if (part.depth < deepest_part && !is_small) {
                 const int axis = half_m.x >= half_m.y ? 0 : 1;
                 part.half[axis] *= 0.5;
                 ++part.depth;
@@ -307,57 +312,29 @@ private:
                 parts_.push_back(part);
                 continue;
             }
-            const glm::dvec3 u = part.half.x * along_u;
-            const glm::dvec3 v = part.half.y * along_v;
-            const Seen seen = seen_of(place, {to - u - v, to + u - v, to + u + v, to - u + v});
+            SeenPolygon seen{0.0, to};
+            if (is_small && sides.is_above(to, part.half)) {
+                seen.form_factor = sides.form_factor(to, part.half);
+            } else {
+                const glm::dvec3 u = part.half.x * sides.u;
+                const glm::dvec3 v = part.half.y * sides.v;
+                seen = seen_above(place.normal, {to - u - v, to + u - v, to + u + v, to - u + v});
+            }
             if (!(seen.form_factor > 0.0)) continue;
-            const glm::dvec3 moved = seen.middle - to;
             const double share = free * seen.form_factor;
-            const Way way(place, place.position + seen.middle, patches_.normal(patch));
-            glm::dvec2 at(part.middle.x - 0.5 + glm::dot(moved, along_u) / (length_u * length_u),
-                          part.middle.y - 0.5 + glm::dot(moved, along_v) / (length_v * length_v));
+            const Way way(place, place.position + seen.middle, normal);
+            const glm::dvec3 moved = seen.middle - to;
+            glm::dvec2 at = part.middle - 0.5 +
+                            glm::dvec2(glm::dot(moved, sides.u) / sides.uu, glm::dot(moved, sides.v) / sides.vv);
             // The nearer side of the part counts more.
             if (way.is_seen()) {
-                const glm::dvec3 steepness =
-                    place.normal / way.here - patches_.normal(patch) / way.there - 4.0 / way.distance2 * way.to;
+                const glm::dvec3 steepness = place.normal / way.here - normal / there - 4.0 / way.distance2 * way.to;
                 at += part.half * part.half / 3.0 *
-                      glm::dvec2(glm::dot(steepness, along_u), glm::dot(steepness, along_v));
+                      glm::dvec2(glm::dot(steepness, sides.u), glm::dot(steepness, sides.v));
             }
             const bool is_even = std::max(std::abs(at.x), std::abs(at.y)) < least_moment;
-            consider(Along(way), frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
+            consider(way.to, frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
         }
-    }
-
-    // What a place sees of a rectangle, whose corners are relative to it: all above its horizon.
-    struct Seen {
-        double form_factor = 0.0; // exact (J. H. Lambert, 1760)
-        glm::dvec3 middle{0.0};
-    };
-    static Seen seen_of(const Receivers::Place& place, const std::array<glm::dvec3, 4>& corners) {
-        std::array<glm::dvec3, 5> above{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const glm::dvec3& a = corners[i];
-            const glm::dvec3& b = corners[(i + 1) % 4];
-            const double height_a = glm::dot(place.normal, a);
-            const double height_b = glm::dot(place.normal, b);
-            if (height_a >= 0.0) above[count++] = a;
-            if ((height_a > 0.0 && height_b < 0.0) || (height_a < 0.0 && height_b > 0.0))
-                above[count++] = a + height_a / (height_a - height_b) * (b - a);
-        }
-        Seen seen;
-        if (count < 3) return seen;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const glm::dvec3& a = above[i];
-            const glm::dvec3& b = above[(i + 1) % count];
-            seen.middle += a / static_cast<double>(count);
-            const glm::dvec3 across = glm::cross(a, b);
-            const double length = glm::length(across);
-            if (length > 0.0) sum += std::atan2(length, glm::dot(a, b)) * glm::dot(place.normal, across) / length;
-        }
-        seen.form_factor = std::abs(sum) / (2.0 * std::numbers::pi);
-        return seen;
     }
 
     // The mean of the cosine at a sender that is round, 0 where it faces away: its cosines lie close together.
@@ -385,13 +362,26 @@ private:
                along.per_distance;
     }
 
-    // `moments`: of the form factor.
-    void consider(const Along& along, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart,
+    // `to`: from the place, of any length; `moments`: of the form factor.
+    void consider(const glm::dvec3& to, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart,
                   const glm::dvec2& moments = glm::dvec2(0.0)) {
         if (!(share > 0.0)) return;
         possible_.push_back(
             {number, chart, static_cast<float>(share), static_cast<float>(moments.x), static_cast<float>(moments.y)});
-        towards_.add(frame.to_local(along.direction));
+        towards_.add(frame.to_local(to));
+    }
+
+    // All that was added for a chart at once: the roots of single directions would wait for each other.
+    void normalize_from(std::size_t first) {
+        auto& [x, y, z] = towards_.axes;
+        for (std::size_t i = first; i < x.size(); ++i) {
+            const double length2 =
+                double{x[i]} * double{x[i]} + double{y[i]} * double{y[i]} + double{z[i]} * double{z[i]};
+            const auto per_length = static_cast<float>(1.0 / std::sqrt(length2));
+            x[i] *= per_length;
+            y[i] *= per_length;
+            z[i] *= per_length;
+        }
     }
 
     BundleCaster caster_;
