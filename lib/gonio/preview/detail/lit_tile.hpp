@@ -108,7 +108,7 @@ private:
         SampleBounds points;
         ViewBounds views;
     };
-    // With RenderOptions::error, how far what was gathered may be from the exact light.
+    // With RenderOptions::error: how far what was gathered may be from the exact light, and what bounds that.
     struct Known {
         Amounts error;
         std::optional<LobeVariation> lobe;
