@@ -430,17 +430,9 @@ void LitTile::gather(const SurfaceSamples& samples, const SurfaceSamples::Chunk&
 void LitTile::add_gathered() {
     for (std::size_t surface = 0; surface < gathered_.size(); ++surface) {
         const SurfaceSamples& samples = tile_.surfaces()[surface];
-        const Amounts& nt = gathered_[surface];
-        float* const luminance = picture_.luminance_nt.pixels.data();
+        const Amounts& all = gathered_[surface];
         for (std::size_t i = 0; i < samples.size(); ++i)
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                luminance[std::size_t{samples.pixel[i]} * 3 + channel] += samples.share[i] * nt[channel][i];
-        if (options_.illuminance)
-            for (std::size_t i = 0; i < samples.size(); ++i)
-                picture_.illuminance_lx.pixels[samples.pixel[i]] += samples.share[i] * nt[3][i];
-        if (reflected_.empty()) continue;
-        for (std::size_t i = 0; i < samples.size(); ++i)
-            add_to_part(samples, i, samples.share[i] * glm::vec3(nt[0][i], nt[1][i], nt[2][i]));
+            add(samples, i, {all[0][i], all[1][i], all[2][i]}, options_.illuminance ? all[3][i] : 0.0F);
     }
 }
 
@@ -484,16 +476,12 @@ void LitTile::shade_far() {
         bool from_center_fits = true; // where it did not, it hardly does for those with a greater error as points
         for (auto last = end; first != last; ++first) {
             const LitLight& light = scene_.lights[first->light];
-            if (first->forms.are_bounded && adds_as_point(*first, chunk)) {
+            bool fits = first->forms.are_bounded && adds_as_point(*first, chunk);
+            if (!fits && (from_center_fits || !first->forms.are_bounded))
+                fits = from_center_fits = adds_from_center(light, first->surface, chunk);
+            if (fits) {
                 failed = 0;
                 continue;
-            }
-            if (from_center_fits || !first->forms.are_bounded) {
-                from_center_fits = adds_from_center(light, first->surface, chunk);
-                if (from_center_fits) {
-                    failed = 0;
-                    continue;
-                }
             }
             shade(light, group);
             if (++failed < most_failed) continue;

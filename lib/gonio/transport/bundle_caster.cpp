@@ -66,6 +66,17 @@ glm::dvec3 DirectionArrays::of(std::size_t index) const {
     return glm::normalize(glm::dvec3(axes[0][index], axes[1][index], axes[2][index]));
 }
 
+void DirectionArrays::normalize_from(std::size_t first) {
+    auto& [x, y, z] = axes;
+    for (std::size_t i = first; i < size(); ++i) {
+        const double length2 = double{x[i]} * double{x[i]} + double{y[i]} * double{y[i]} + double{z[i]} * double{z[i]};
+        const auto per_length = static_cast<float>(1.0 / std::sqrt(length2));
+        x[i] *= per_length;
+        y[i] *= per_length;
+        z[i] *= per_length;
+    }
+}
+
 BundleCaster::BundleCaster(const Stage& stage, const Patches& patches, simd::InstructionSet set)
     : stage_(stage), patches_(patches), kernels_(transport::ray_kernels(set)) {}
 
@@ -244,7 +255,7 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<PatchPoint>
     }
 }
 
-void BundleCaster::cast_toward(std::uint32_t chart, const DirectionArrays& directions, std::size_t first,
+void BundleCaster::cast_toward(std::uint32_t chart, DirectionArrays& directions, std::size_t first,
                                std::span<std::uint32_t> charts) {
     const std::span<std::uint32_t> of_rays = charts.subspan(first, directions.size() - first);
     if (of_rays.empty()) return;
@@ -253,6 +264,7 @@ void BundleCaster::cast_toward(std::uint32_t chart, const DirectionArrays& direc
         std::fill(of_rays.begin(), of_rays.end(), chart);
         return;
     }
+    directions.normalize_from(first);
     run(directions, first,
         {nearer_.rectangles.data(), nearer_.rectangles.size(), nearer_.spheres.data(), nearer_.spheres.size(),
          nearer_.capsules.data(), nearer_.capsules.size()});

@@ -34,6 +34,8 @@ struct DirectionArrays {
     void clear();
     std::size_t size() const { return axes[0].size(); }
     glm::dvec3 of(std::size_t index) const;
+    // Makes unit vectors of those from `first` on.
+    void normalize_from(std::size_t first);
 
     std::array<std::vector<float>, 3> axes;
 };
@@ -50,8 +52,9 @@ public:
     void cast(const DirectionArrays& directions, std::span<PatchPoint> ends, std::span<std::uint32_t> charts);
 
     // Of the rays from `first` on, which go towards points of a chart that are turned to where they start, the chart
-    // that each meets first, or `no_patch`. Rays are cast only if something stands between.
-    void cast_toward(std::uint32_t chart, const DirectionArrays& directions, std::size_t first,
+    // that each meets first, or `no_patch`. Rays are cast only if something stands between: their directions, of any
+    // length, become unit vectors then.
+    void cast_toward(std::uint32_t chart, DirectionArrays& directions, std::size_t first,
                      std::span<std::uint32_t> charts);
 
 private:

@@ -2,6 +2,10 @@
 // by the cosine, that comes from the patch. Exact sums over edges (J. H. Lambert, "Photometria", 1760).
 #pragma once
 
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/shading/outline.hpp>
+#include <gonio/simd/math.hpp>
+
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -14,19 +18,13 @@
 
 namespace gonio::detail {
 
-// The angle between two vectors over the length of their cross product, of which `across2` is the square; `along`
-// is their dot product. Angles up to half a radian by the seventh convergent of Gauss's continued fraction of the
-// arctangent, to 2e-10.
-inline double angle_per_sine(double across2, double along) {
-    if (along > 0.0 && across2 < 0.25 * along * along) {
-        const double y = across2 / (along * along); // the square of the tangent
-        const double above = 1.0 + y * (23.0 / 15.0 + y * (383.0 / 585.0 + y * (5053.0 / 75075.0)));
-        const double below = 1.0 + y * (28.0 / 15.0 + y * (14.0 / 13.0 + y * (28.0 / 143.0 + y * (7.0 / 1287.0))));
-        return above / (below * along);
-    }
-    if (!(across2 > 0.0)) return 0.0;
-    const double length = std::sqrt(across2);
-    return std::atan2(length, along) / length;
+// atan(√t)/√t for t ≥ 0. Below 1/4 by the seventh convergent of Gauss's continued fraction, to 2e-10: with the
+// precision of simd/math.hpp throughout, pictures with bounced light take up to a twentieth longer.
+inline double atan_ratio(double t) {
+    if (!(t < 0.25)) return 1.0 + simd::atan_ratio_excess(t);
+    const double above = 1.0 + t * (23.0 / 15.0 + t * (383.0 / 585.0 + t * (5053.0 / 75075.0)));
+    const double below = 1.0 + t * (28.0 / 15.0 + t * (14.0 / 13.0 + t * (28.0 / 143.0 + t * (7.0 / 1287.0))));
+    return above / below;
 }
 
 // Of the parts of a parallelogram, from either side.
@@ -50,8 +48,8 @@ struct Parallelogram {
         return glm::dot(n, to) >= half.x * rise_u + half.y * rise_v;
     }
 
-    // Of such a part that is farther away than its half diagonal. The corners of an edge are p ± s, so their dot
-    // product is p² − s² and their cross product 2 p×s.
+    // Of such a part, from three of its half diagonals on: its edges subtend less than 45° then. The corners of an edge
+    // are p ± s, so their dot product is p² − s² and their cross product 2 p×s.
     double form_factor(const glm::dvec3& to, const glm::dvec2& half) const {
         const double tt = glm::dot(to, to);
         const double tu = half.x * glm::dot(to, u);
@@ -63,7 +61,9 @@ struct Parallelogram {
         const double suv = half.x * half.y * uv;
         const double s_v_u_n = half.x * half.y * v_u_n; // −u·(v×n)
         const auto edge = [](double pp, double ps, double ss, double p_s_n) {
-            return angle_per_sine(std::max(4.0 * (pp * ss - ps * ps), 0.0), pp - ss) * p_s_n;
+            const double along = pp - ss;
+            const double tangent2 = std::max(4.0 * (pp * ss - ps * ps), 0.0) / (along * along);
+            return atan_ratio(tangent2) / along * p_s_n;
         };
         const double sum = edge(tt - 2.0 * tv + sv, tu - suv, su, t_u_n - s_v_u_n) +
                            edge(tt + 2.0 * tu + su, tv + suv, sv, t_v_n - s_v_u_n) -
@@ -102,10 +102,9 @@ inline SeenPolygon seen_above(const glm::dvec3& normal, const std::array<glm::dv
         const glm::dvec3& a = above[i];
         const glm::dvec3& b = above[(i + 1) % count];
         seen.middle += a / static_cast<double>(count);
-        const glm::dvec3 across = glm::cross(a, b);
-        sum += angle_per_sine(glm::dot(across, across), glm::dot(a, b)) * glm::dot(normal, across);
+        sum += shading::great_arc(vec(a), vec(b - a), vec(normal));
     }
-    seen.form_factor = std::abs(sum) / (2.0 * std::numbers::pi);
+    seen.form_factor = std::abs(sum) * std::numbers::inv_pi;
     return seen;
 }
 

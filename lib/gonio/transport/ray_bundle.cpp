@@ -129,7 +129,6 @@ private:
             if (is_before_[chart.chart] == 0) continue;
             const std::size_t before = possible_.size();
             link(place, frame, chart);
-            normalize_from(before);
             charts_.resize(possible_.size());
             caster_.cast_toward(chart.chart, towards_, before, charts_);
         }
@@ -287,8 +286,7 @@ private:
         const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
         const glm::dvec3& normal = patches_.normal(patch);
         const glm::dvec3 to_corner = corners[0] - place.position;
-        const double there = -glm::dot(normal, to_corner); // of all parts
-        if (!(there > 0.0)) return;
+        if (!(glm::dot(normal, to_corner) < 0.0)) return;
         const Parallelogram sides(place.normal, corners[1] - corners[0], corners[3] - corners[0]);
         const double length_u = std::sqrt(sides.uu);
         const double length_v = std::sqrt(sides.vv);
@@ -328,7 +326,8 @@ private:
                             glm::dvec2(glm::dot(moved, sides.u) / sides.uu, glm::dot(moved, sides.v) / sides.vv);
             // The nearer side of the part counts more.
             if (way.is_seen()) {
-                const glm::dvec3 steepness = place.normal / way.here - normal / there - 4.0 / way.distance2 * way.to;
+                const glm::dvec3 steepness =
+                    place.normal / way.here - normal / way.there - 4.0 / way.distance2 * way.to;
                 at += part.half * part.half / 3.0 *
                       glm::dvec2(glm::dot(steepness, sides.u), glm::dot(steepness, sides.v));
             }
@@ -369,19 +368,6 @@ private:
         possible_.push_back(
             {number, chart, static_cast<float>(share), static_cast<float>(moments.x), static_cast<float>(moments.y)});
         towards_.add(frame.to_local(to));
-    }
-
-    // All that was added for a chart at once: the roots of single directions would wait for each other.
-    void normalize_from(std::size_t first) {
-        auto& [x, y, z] = towards_.axes;
-        for (std::size_t i = first; i < x.size(); ++i) {
-            const double length2 =
-                double{x[i]} * double{x[i]} + double{y[i]} * double{y[i]} + double{z[i]} * double{z[i]};
-            const auto per_length = static_cast<float>(1.0 / std::sqrt(length2));
-            x[i] *= per_length;
-            y[i] *= per_length;
-            z[i] *= per_length;
-        }
     }
 
     BundleCaster caster_;
