@@ -66,9 +66,9 @@ glm::dvec3 DirectionArrays::of(std::size_t index) const {
     return glm::normalize(glm::dvec3(axes[0][index], axes[1][index], axes[2][index]));
 }
 
-void DirectionArrays::normalize_from(std::size_t first) {
+void DirectionArrays::normalize() {
     auto& [x, y, z] = axes;
-    for (std::size_t i = first; i < size(); ++i) {
+    for (std::size_t i = 0; i < size(); ++i) {
         const double length2 = double{x[i]} * double{x[i]} + double{y[i]} * double{y[i]} + double{z[i]} * double{z[i]};
         const auto per_length = static_cast<float>(1.0 / std::sqrt(length2));
         x[i] *= per_length;
@@ -153,12 +153,12 @@ void BundleCaster::find_outlines() {
         outlines_.push_back(outline_of(glm::make_vec3(capsule.center), capsule.half_length + capsule.radius));
 }
 
-void BundleCaster::find_nearer(std::uint32_t chart) {
+bool BundleCaster::find_nearer(std::uint32_t chart) {
     nearer_.rectangles.clear();
     nearer_.spheres.clear();
     nearer_.capsules.clear();
     nearer_.charts.clear();
-    nearer_.is_empty = true;
+    bool is_empty = true;
     if (outlines_.empty()) find_outlines();
     const std::size_t surface = patches_.charts().all()[chart].surface;
     const Primitive& geometry = stage_.surfaces[surface].geometry;
@@ -196,38 +196,38 @@ void BundleCaster::find_nearer(std::uint32_t chart) {
         if (of != chart && (is_own(of) || !crosses(rectangles_[i]) || !may_be_nearer(*outline))) continue;
         nearer_.rectangles.push_back(rectangles_[i]);
         nearer_.charts.push_back(of_rectangles_[i].blocks ? no_patch : of);
-        nearer_.is_empty = nearer_.is_empty && of == chart;
+        is_empty = is_empty && of == chart;
     }
     for (std::size_t i = 0; i < spheres_.size(); ++i, ++outline) {
         if (of_spheres_[i] != chart && !may_be_nearer(*outline)) continue;
         nearer_.spheres.push_back(spheres_[i]);
         nearer_.charts.push_back(of_spheres_[i]);
-        nearer_.is_empty = nearer_.is_empty && of_spheres_[i] == chart;
+        is_empty = is_empty && of_spheres_[i] == chart;
     }
     for (std::size_t i = 0; i < capsules_.size(); ++i, ++outline) {
         if (of_capsules_[i] != chart && !may_be_nearer(*outline)) continue;
         nearer_.capsules.push_back(capsules_[i]);
         nearer_.charts.push_back(of_capsules_[i]);
-        nearer_.is_empty = nearer_.is_empty && of_capsules_[i] == chart;
+        is_empty = is_empty && of_capsules_[i] == chart;
     }
+    return !is_empty;
 }
 
-void BundleCaster::run(const DirectionArrays& directions, std::size_t first, const transport::RayTargets& targets) {
-    const std::size_t count = directions.size() - first;
+void BundleCaster::run(const DirectionArrays& directions, const transport::RayTargets& targets) {
+    const std::size_t count = directions.size();
     for (std::vector<float>* const array : {&target_, &distance_, &u_, &v_})
         array->resize(count);
     transport::RayFrame frame;
     put(frame.x, from_.x);
     put(frame.y, from_.y);
     put(frame.z, from_.z);
-    const float* const arrays[3] = {directions.axes[0].data() + first, directions.axes[1].data() + first,
-                                    directions.axes[2].data() + first};
+    const float* const arrays[3] = {directions.axes[0].data(), directions.axes[1].data(), directions.axes[2].data()};
     kernels_.first_hits(targets, frame, arrays, count, {target_.data(), distance_.data(), u_.data(), v_.data()});
 }
 
 void BundleCaster::cast(const DirectionArrays& directions, std::span<PatchPoint> ends,
                         std::span<std::uint32_t> charts) {
-    run(directions, 0,
+    run(directions,
         {rectangles_.data(), rectangles_.size(), spheres_.data(), spheres_.size(), capsules_.data(), capsules_.size()});
     const std::size_t solids = rectangles_.size() + spheres_.size();
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -255,21 +255,12 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<PatchPoint>
     }
 }
 
-void BundleCaster::cast_toward(std::uint32_t chart, DirectionArrays& directions, std::size_t first,
-                               std::span<std::uint32_t> charts) {
-    const std::span<std::uint32_t> of_rays = charts.subspan(first, directions.size() - first);
-    if (of_rays.empty()) return;
-    find_nearer(chart);
-    if (nearer_.is_empty) {
-        std::fill(of_rays.begin(), of_rays.end(), chart);
-        return;
-    }
-    directions.normalize_from(first);
-    run(directions, first,
-        {nearer_.rectangles.data(), nearer_.rectangles.size(), nearer_.spheres.data(), nearer_.spheres.size(),
-         nearer_.capsules.data(), nearer_.capsules.size()});
-    for (std::size_t i = 0; i < of_rays.size(); ++i)
-        of_rays[i] =
+void BundleCaster::cast_toward(DirectionArrays& directions, std::span<std::uint32_t> charts) {
+    directions.normalize();
+    run(directions, {nearer_.rectangles.data(), nearer_.rectangles.size(), nearer_.spheres.data(),
+                     nearer_.spheres.size(), nearer_.capsules.data(), nearer_.capsules.size()});
+    for (std::size_t i = 0; i < charts.size(); ++i)
+        charts[i] =
             target_[i] == transport::RayHits::nothing ? no_patch : nearer_.charts[static_cast<std::size_t>(target_[i])];
 }
 

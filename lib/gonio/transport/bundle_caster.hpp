@@ -34,8 +34,7 @@ struct DirectionArrays {
     void clear();
     std::size_t size() const { return axes[0].size(); }
     glm::dvec3 of(std::size_t index) const;
-    // Makes unit vectors of those from `first` on.
-    void normalize_from(std::size_t first);
+    void normalize();
 
     std::array<std::vector<float>, 3> axes;
 };
@@ -51,11 +50,11 @@ public:
     // Where each ray ends, or `no_patch` or `back_side`, and on which chart, or `no_patch`.
     void cast(const DirectionArrays& directions, std::span<PatchPoint> ends, std::span<std::uint32_t> charts);
 
-    // Of the rays from `first` on, which go towards points of a chart that are turned to where they start, the chart
-    // that each meets first, or `no_patch`. Rays are cast only if something stands between: their directions, of any
-    // length, become unit vectors then.
-    void cast_toward(std::uint32_t chart, DirectionArrays& directions, std::size_t first,
-                     std::span<std::uint32_t> charts);
+    // Finds what rays towards points of a chart that are turned to where they start may meet, and whether that is
+    // anything but the chart.
+    bool find_nearer(std::uint32_t chart);
+    // Of such rays, the chart that each meets first, or `no_patch`. Makes unit vectors of the directions.
+    void cast_toward(DirectionArrays& directions, std::span<std::uint32_t> charts);
 
 private:
     struct Target {
@@ -66,10 +65,7 @@ private:
 
     void add(const Panel& panel, std::size_t chart, bool is_solid);
     void add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart);
-    // Finds those of the targets that may be met before a chart.
-    void find_nearer(std::uint32_t chart);
-    // Of the rays from `first` on.
-    void run(const DirectionArrays& directions, std::size_t first, const transport::RayTargets& targets);
+    void run(const DirectionArrays& directions, const transport::RayTargets& targets);
 
     const Stage& stage_;
     const Patches& patches_;
@@ -95,7 +91,6 @@ private:
         std::vector<transport::RaySphere> spheres;
         std::vector<transport::RayCapsule> capsules;
         std::vector<std::uint32_t> charts; // in their order; no_patch: blocks
-        bool is_empty = true;              // but for the chart
     };
     Nearer nearer_;
     std::vector<float> target_, distance_, u_, v_;

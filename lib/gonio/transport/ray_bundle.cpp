@@ -119,35 +119,50 @@ private:
 
     void link(const Receivers::Place& place, std::vector<Link>& links, std::vector<LinkSlope>& slopes,
               std::span<float> of_charts) {
-        possible_.clear();
-        towards_.clear();
         const Frame frame = frame_about(place.position, place.normal);
         for (std::size_t chart = 0; chart < is_before_.size(); ++chart)
             is_before_[chart] = may_be_seen(place, patches_.charts().all()[chart]) ? 1 : 0;
         if (!linked_.empty()) std::fill(by_link_.begin(), by_link_.end(), By::rays);
         for (const LinkedCells::OfChart& chart : linked_.by_chart()) {
             if (is_before_[chart.chart] == 0) continue;
-            const std::size_t before = possible_.size();
+            possible_.clear();
+            towards_.clear();
+            may_be_hidden_ = caster_.find_nearer(chart.chart);
             link(place, frame, chart);
-            charts_.resize(possible_.size());
-            caster_.cast_toward(chart.chart, towards_, before, charts_);
+            if (may_be_hidden_) drop_hidden(chart.chart);
+            of_charts[chart.chart] += add_possible(links, slopes);
         }
+    }
+
+    // Takes what the possible links carry where something else is met first.
+    void drop_hidden(std::uint32_t chart) {
+        charts_.resize(possible_.size());
+        caster_.cast_toward(towards_, charts_);
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < possible_.size(); ++i) {
+            possible_[seen] = possible_[i];
+            seen += charts_[i] == chart ? 1U : 0U;
+        }
+        possible_.resize(seen);
+    }
+
+    // The parts of a patch, which come one after the other, as one link. The sum of what the links carry.
+    float add_possible(std::vector<Link>& links, std::vector<LinkSlope>& slopes) {
+        float sum = 0.0F;
         for (std::size_t i = 0; i < possible_.size();) {
-            // The parts of a patch come one after the other.
-            Link link{possible_[i].sender, 0.0F};
-            LinkSlope slope{possible_[i].sender, 0.0F, 0.0F};
-            const std::uint32_t chart = possible_[i].chart;
-            for (; i < possible_.size() && possible_[i].sender == link.sender; ++i) {
-                if (charts_[i] != chart) continue;
+            const std::uint32_t sender = possible_[i].sender;
+            Link link{sender, 0.0F};
+            LinkSlope slope{sender, 0.0F, 0.0F};
+            for (; i < possible_.size() && possible_[i].sender == sender; ++i) {
                 link.share += possible_[i].share;
                 slope.along_u += possible_[i].along_u;
                 slope.along_v += possible_[i].along_v;
             }
-            if (!(link.share > 0.0F)) continue;
             links.push_back(link);
             if (slope.along_u != 0.0F || slope.along_v != 0.0F) slopes.push_back(slope);
-            of_charts[chart] += link.share * patches_.carried(link.sender);
+            sum += link.share * patches_.carried(sender);
         }
+        return sum;
     }
 
     // A chart by cells, and those that are too close by their patches.
@@ -161,7 +176,7 @@ private:
             const LinkedCells::Part& cell = linked_.part(i);
             if (share != transport::RayLinks::divided) {
                 by_link_[cell.number] = By::cell;
-                add(count + cell.number, chart.chart, i - chart.cells.first);
+                add(count + cell.number, i - chart.cells.first);
             } else if (cell.has_parts) {
                 by_link_[cell.number] = By::patches;
                 divided_.push_back(cell.patches);
@@ -178,15 +193,16 @@ private:
                 const std::uint32_t patch = linked_.part(i).number;
                 const bool is_whole = share != 0.0F && share != transport::RayLinks::divided;
                 has_link_[patch] = is_whole ? 1 : 0;
-                if (is_whole) add(patch, chart.chart, i - all.first);
+                if (is_whole) add(patch, i - all.first);
             }
     }
 
     // What is at this place of the links, if nothing stands between.
-    void add(std::uint32_t sender, std::uint32_t chart, std::size_t at) {
+    void add(std::uint32_t sender, std::size_t at) {
         const float share = cell_links_.share[at];
         if (!(share > transport::RayLinks::least)) return;
-        possible_.push_back({sender, chart, share, 0.0F, 0.0F});
+        possible_.push_back({sender, share, 0.0F, 0.0F});
+        if (!may_be_hidden_) return;
         for (std::size_t axis = 0; axis < 3; ++axis)
             towards_.axes[axis].push_back(cell_links_.towards[axis][at]);
     }
@@ -206,7 +222,7 @@ private:
             }
             const Along along(way);
             consider(way.to, frame, form_factor(way, along, facing(way, along, sender.spread), area_m2),
-                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
+                     static_cast<std::uint32_t>(patches_.count()) + cell,
                      slopes_of_form_factor(way, place, sender, area_m2));
             return;
         }
@@ -216,8 +232,7 @@ private:
             has_link = 1;
             if (sender.is_on_sheet || sender.is_bright) {
                 const double by_rays = patches_.by_rays(patch.number);
-                link_parts(place, frame, patch.number, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0,
-                           sender.chart);
+                link_parts(place, frame, patch.number, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0);
                 continue;
             }
             has_link =
@@ -232,8 +247,7 @@ private:
             if (!(to_patch.here > 0.0)) continue;
             const Along along(to_patch);
             const double cosine = patches_.mean_cosine(patch.number, -along.direction);
-            consider(to_patch.to, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number,
-                     sender.chart);
+            consider(to_patch.to, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number);
         }
     }
 
@@ -255,7 +269,7 @@ private:
         for (const std::uint32_t patch : patches_.patches_of(cell)) {
             const double part = by_links(patch) / sum;
             consider(patches_.middle(patch) - place.position, frame, part * share,
-                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart, part * slopes);
+                     static_cast<std::uint32_t>(patches_.count()) + cell, part * slopes);
         }
     }
 
@@ -275,13 +289,12 @@ private:
             const Along along(way);
             const double cosine = patches_.mean_cosine(patch.number, -along.direction);
             const double share = form_factor(way, along, cosine, patch.area_m2 / parts);
-            consider(way.to, frame, share, patch.number, chart, {0.0, share * at});
+            consider(way.to, frame, share, patch.number, {0.0, share * at});
         }
     }
 
     // A flat patch, in parts that are small beside their distance. `factor`: of its form factor.
-    void link_parts(const Receivers::Place& place, const Frame& frame, std::uint32_t patch, double factor,
-                    std::uint32_t chart) {
+    void link_parts(const Receivers::Place& place, const Frame& frame, std::uint32_t patch, double factor) {
         if (!(factor > 0.0)) return;
         const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
         const glm::dvec3& normal = patches_.normal(patch);
@@ -332,7 +345,7 @@ private:
                       glm::dvec2(glm::dot(steepness, sides.u), glm::dot(steepness, sides.v));
             }
             const bool is_even = std::max(std::abs(at.x), std::abs(at.y)) < least_moment;
-            consider(way.to, frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
+            consider(way.to, frame, factor * share, patch, is_even ? glm::dvec2(0.0) : share * at);
         }
     }
 
@@ -362,12 +375,12 @@ private:
     }
 
     // `to`: from the place, of any length; `moments`: of the form factor.
-    void consider(const glm::dvec3& to, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart,
+    void consider(const glm::dvec3& to, const Frame& frame, double share, std::uint32_t number,
                   const glm::dvec2& moments = glm::dvec2(0.0)) {
-        if (!(share > 0.0)) return;
-        possible_.push_back(
-            {number, chart, static_cast<float>(share), static_cast<float>(moments.x), static_cast<float>(moments.y)});
-        towards_.add(frame.to_local(to));
+        const auto of_link = static_cast<float>(share);
+        if (!(of_link > 0.0F)) return;
+        possible_.push_back({number, of_link, static_cast<float>(moments.x), static_cast<float>(moments.y)});
+        if (may_be_hidden_) towards_.add(frame.to_local(to));
     }
 
     BundleCaster caster_;
@@ -382,19 +395,19 @@ private:
     std::vector<std::uint8_t> has_link_;      // by patch, of cells that are linked by patches
     struct Possible {                         // a link, or a part of one, if nothing stands between
         std::uint32_t sender;
-        std::uint32_t chart;
         float share;
         float along_u, along_v;
     };
-    std::vector<Possible> possible_;
+    std::vector<Possible> possible_; // of one chart
+    bool may_be_hidden_ = false;     // something else may be met before the chart
     struct Part { // of a flat patch, in its sides
         glm::dvec2 middle;
         glm::dvec2 half;
         int depth; // how often it was halved
     };
     std::vector<Part> parts_;
-    DirectionArrays towards_;
-    std::vector<std::uint32_t> charts_;
+    DirectionArrays towards_;           // of possible links that may be hidden, of any length
+    std::vector<std::uint32_t> charts_; // which rays meet
     std::vector<std::uint32_t> count_; // of rays, by chart
 };
 

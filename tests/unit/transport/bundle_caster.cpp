@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -116,7 +117,10 @@ TEST(BundleCaster, MeetsNothingElseTowardsAChart) {
                 std::vector<std::uint32_t> found(directions.size(), 12345U);
                 std::vector<PatchPoint> ends(directions.size());
                 bundle.cast(directions, ends, expected);
-                bundle.cast_toward(chart, directions, 0, found);
+                if (bundle.find_nearer(chart))
+                    bundle.cast_toward(directions, found);
+                else
+                    std::fill(found.begin(), found.end(), chart);
                 rays += found.size();
                 for (std::size_t i = 0; i < found.size(); ++i) {
                     if (expected[i] != chart) ++hidden;
