@@ -71,7 +71,8 @@ void LinkedCells::add_patches(const Patches& patches, std::size_t cell) {
         parts_[cell].patches = {single_patches_.size(), single_patches_.size() + of_cell.size()};
         for (const std::uint32_t patch : of_cell)
             single_patches_.push_back({patches.middle(patch), patches.normal(patch), patches.half_across(patch),
-                                       patches.half_length(patch), patches.area_m2(patch), patch});
+                                       patches.half_length(patch), patches.area_m2(patch), patches.cosine_over(patch),
+                                       patch});
         return;
     }
     parts_[cell].has_parts = true;

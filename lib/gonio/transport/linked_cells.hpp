@@ -3,6 +3,7 @@
 
 #include <gonio/base/frame.hpp>
 #include <gonio/transport/kernels_rays.hpp>
+#include <gonio/transport/patch_cosine.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -22,6 +23,7 @@ struct LinkedPatch {
     double half_across_m = 0.0; // half of the diagonal without the length
     double half_length_m = 0.0; // as Patches::half_length()
     double area_m2 = 0.0;
+    PatchCosine cosine;
     std::uint32_t number = 0;
 };
 

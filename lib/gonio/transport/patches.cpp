@@ -145,38 +145,12 @@ bool Patches::has_moments() const {
                        [&](std::uint32_t cell) { return cells_[cell].is_uneven(); });
 }
 
-double Patches::mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const {
+PatchCosine Patches::cosine_over(std::uint32_t patch) const {
     const Chart& chart = charts_.all()[chart_of_[patch]];
-    if (chart.kind != Chart::Kind::round) return std::max(glm::dot(normal_[patch], towards), 0.0);
-    // A cos(u − φ) + B, for the azimuth u of the normal and φ of the direction; u is within half of the patch's width
-    // of u₀.
+    if (chart.kind != Chart::Kind::round) return PatchCosine(normal_[patch]);
     const PatchGrid& grid = grids_[chart_of_[patch]];
     const std::uint32_t column = (patch - grid.first_patch) % grid.columns;
-    const double half = 0.5 * (grid.u.line(column + 1) - grid.u.line(column));
-    const glm::dvec3 normal = chart.frame.to_local(normal_[patch]); // at u₀
-    const glm::dvec3 local = chart.frame.to_local(towards);
-    const double a_cos = normal.x * local.x + normal.y * local.y; // A cos(u₀ − φ)
-    const double a_sin = normal.y * local.x - normal.x * local.y;
-    const double b = normal.z * local.z;
-    const double sin_half = std::sin(half);
-    const double cos_half = std::cos(half);
-    const double at_low = a_cos * cos_half + a_sin * sin_half + b;
-    const double at_high = a_cos * cos_half - a_sin * sin_half + b;
-    // Without φ or its opposite in the patch, the least and the greatest cosine are at its sides.
-    const double a2 = a_cos * a_cos + a_sin * a_sin;
-    const bool is_aside = a_cos * a_cos <= a2 * cos_half * cos_half;
-    if (std::min(at_low, at_high) >= 0.0 && (is_aside || a_cos >= 0.0)) return a_cos * sin_half / half + b;
-    if (std::max(at_low, at_high) <= 0.0 && (is_aside || a_cos <= 0.0)) return 0.0;
-    const double a = std::sqrt(a2);
-    const double middle = std::atan2(a_sin, a_cos);
-    const double lit = a > std::abs(b) ? std::acos(-b / a) : b > 0.0 ? std::numbers::pi : 0.0;
-    double sum = 0.0;
-    for (const double turn : {-2.0 * std::numbers::pi, 0.0, 2.0 * std::numbers::pi}) {
-        const double low = std::max(middle - half, turn - lit);
-        const double high = std::min(middle + half, turn + lit);
-        if (low < high) sum += a * (std::sin(high) - std::sin(low)) + b * (high - low);
-    }
-    return std::max(sum / (2.0 * half), 0.0);
+    return {chart.frame, normal_[patch], 0.5 * (grid.u.line(column + 1) - grid.u.line(column))};
 }
 
 PatchMean Patches::around(std::size_t chart, float u, float v) const {

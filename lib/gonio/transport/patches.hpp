@@ -136,8 +136,7 @@ public:
     static constexpr std::size_t rays_of_crowded = 2;
     std::size_t ray_factor(std::size_t chart) const { return ray_factor_[chart]; }
     bool has_moments() const; // whether any cell is_uneven()
-    // The mean over a patch of cos θ towards a unit direction, 0 where it faces away. Of a round one, around its axis.
-    double mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const;
+    PatchCosine cosine_over(std::uint32_t patch) const;
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
     // Whether the edge of what covers it crosses the patch.
     bool is_partial(std::uint32_t patch) const { return is_partial_[patch] != 0; }

@@ -246,7 +246,7 @@ private:
             const Way to_patch(place, patch.middle, patch.normal);
             if (!(to_patch.here > 0.0)) continue;
             const Along along(to_patch);
-            const double cosine = patches_.mean_cosine(patch.number, -along.direction);
+            const double cosine = patch.cosine.mean(-along.direction);
             consider(to_patch.to, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number);
         }
     }
@@ -287,7 +287,7 @@ private:
             const Way way(place, patch.middle + 2.0 * patch.half_length_m * at * axis, patch.normal);
             if (!(way.here > 0.0)) continue;
             const Along along(way);
-            const double cosine = patches_.mean_cosine(patch.number, -along.direction);
+            const double cosine = patch.cosine.mean(-along.direction);
             const double share = form_factor(way, along, cosine, patch.area_m2 / parts);
             consider(way.to, frame, share, patch.number, {0.0, share * at});
         }
@@ -400,7 +400,7 @@ private:
     };
     std::vector<Possible> possible_; // of one chart
     bool may_be_hidden_ = false;     // something else may be met before the chart
-    struct Part { // of a flat patch, in its sides
+    struct Part {                    // of a flat patch, in its sides
         glm::dvec2 middle;
         glm::dvec2 half;
         int depth; // how often it was halved
@@ -408,7 +408,7 @@ private:
     std::vector<Part> parts_;
     DirectionArrays towards_;           // of possible links that may be hidden, of any length
     std::vector<std::uint32_t> charts_; // which rays meet
-    std::vector<std::uint32_t> count_; // of rays, by chart
+    std::vector<std::uint32_t> count_;  // of rays, by chart
 };
 
 } // namespace
