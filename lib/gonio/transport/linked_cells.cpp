@@ -68,11 +68,12 @@ void LinkedCells::add_patches(const Patches& patches, std::size_t cell) {
     const bool is_long = std::any_of(of_cell.begin(), of_cell.end(),
                                      [&](std::uint32_t patch) { return patches.half_length(patch) > 0.0; });
     if (of.covered || of.is_uneven() || of.spread > most_spread || is_long) {
+        const bool is_flat = patches.charts().all()[of.chart].kind == Chart::Kind::flat;
         parts_[cell].patches = {single_patches_.size(), single_patches_.size() + of_cell.size()};
         for (const std::uint32_t patch : of_cell)
             single_patches_.push_back({patches.middle(patch), patches.normal(patch), patches.half_across(patch),
                                        patches.half_length(patch), patches.area_m2(patch), patches.cosine_over(patch),
-                                       patch});
+                                       is_flat ? patches.flat(patch) : FlatPatch(), patch});
         return;
     }
     parts_[cell].has_parts = true;

@@ -3,6 +3,7 @@
 
 #include <gonio/base/frame.hpp>
 #include <gonio/transport/kernels_rays.hpp>
+#include <gonio/transport/part_links.hpp>
 #include <gonio/transport/patch_cosine.hpp>
 
 #include <glm/vec3.hpp>
@@ -24,6 +25,7 @@ struct LinkedPatch {
     double half_length_m = 0.0; // as Patches::half_length()
     double area_m2 = 0.0;
     PatchCosine cosine;
+    FlatPatch flat; // of a flat one
     std::uint32_t number = 0;
 };
 

@@ -145,6 +145,12 @@ bool Patches::has_moments() const {
                        [&](std::uint32_t cell) { return cells_[cell].is_uneven(); });
 }
 
+FlatPatch Patches::flat(std::uint32_t patch) const {
+    const std::array<glm::dvec3, 4> at = corners(patch);
+    const glm::dvec2 sides_m(glm::distance(at[0], at[1]), glm::distance(at[0], at[3]));
+    return {0.5 * (at[0] + at[2]), sides_m, area_m2_[patch] / (sides_m.x * sides_m.y)};
+}
+
 PatchCosine Patches::cosine_over(std::uint32_t patch) const {
     const Chart& chart = charts_.all()[chart_of_[patch]];
     if (chart.kind != Chart::Kind::round) return PatchCosine(normal_[patch]);

@@ -135,7 +135,8 @@ public:
     static constexpr std::size_t rays_of_slight = 8;
     static constexpr std::size_t rays_of_crowded = 2;
     std::size_t ray_factor(std::size_t chart) const { return ray_factor_[chart]; }
-    bool has_moments() const; // whether any cell is_uneven()
+    bool has_moments() const;                  // whether any cell is_uneven()
+    FlatPatch flat(std::uint32_t patch) const; // must be one
     PatchCosine cosine_over(std::uint32_t patch) const;
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
     // Whether the edge of what covers it crosses the patch.

@@ -1,5 +1,5 @@
 #include <gonio/base/parallel.hpp>
-#include <gonio/transport/form_factor.hpp>
+#include <gonio/transport/part_links.hpp>
 #include <gonio/transport/ray_bundle.hpp>
 
 #include <glm/geometric.hpp>
@@ -17,9 +17,7 @@ namespace {
 constexpr double least_of_part = 4.0;
 // The same for fine places: a ray for each part says whether it is seen past a pole.
 constexpr double least_of_part_for_fine = 16.0;
-constexpr int deepest_part = 8;
-constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
-constexpr double most_parts = 32.0;    // of a patch along a thin solid
+constexpr double most_parts = 32.0; // of a patch along a thin solid
 
 bool is_far(double distance2, double half_diagonal_m, double least_distance) {
     const double least = least_distance * half_diagonal_m;
@@ -60,9 +58,9 @@ public:
           kernels_(transport::ray_kernels(set)),
           patches_(patches),
           linked_(patches.linked()),
-          is_before_(patches.charts().all().size()),
           by_link_(patches.cells().size(), By::rays),
-          has_link_(linked_.empty() ? 0 : patches.count(), 0) {}
+          has_link_(linked_.empty() ? 0 : patches.count(), 0),
+          parts_(set) {}
 
     // `of_charts`: the sum of the shares of each.
     void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<PatchPoint> ends,
@@ -120,15 +118,16 @@ private:
     void link(const Receivers::Place& place, std::vector<Link>& links, std::vector<LinkSlope>& slopes,
               std::span<float> of_charts) {
         const Frame frame = frame_about(place.position, place.normal);
-        for (std::size_t chart = 0; chart < is_before_.size(); ++chart)
-            is_before_[chart] = may_be_seen(place, patches_.charts().all()[chart]) ? 1 : 0;
         if (!linked_.empty()) std::fill(by_link_.begin(), by_link_.end(), By::rays);
         for (const LinkedCells::OfChart& chart : linked_.by_chart()) {
-            if (is_before_[chart.chart] == 0) continue;
+            const Chart& of = patches_.charts().all()[chart.chart];
+            if (!may_be_seen(place, of)) continue;
             possible_.clear();
             towards_.clear();
             may_be_hidden_ = caster_.find_nearer(chart.chart);
+            parts_.begin(frame, of.frame, place.is_fine ? least_of_part_for_fine : least_of_part);
             link(place, frame, chart);
+            add_parts();
             if (may_be_hidden_) drop_hidden(chart.chart);
             of_charts[chart.chart] += add_possible(links, slopes);
         }
@@ -144,6 +143,12 @@ private:
             seen += charts_[i] == chart ? 1U : 0U;
         }
         possible_.resize(seen);
+    }
+
+    void add_parts() {
+        parts_.find();
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            consider(parts_.towards(i), parts_.share(i), parts_.number(i), parts_.moment(i));
     }
 
     // The parts of a patch, which come one after the other, as one link. The sum of what the links carry.
@@ -221,7 +226,7 @@ private:
                 return;
             }
             const Along along(way);
-            consider(way.to, frame, form_factor(way, along, facing(way, along, sender.spread), area_m2),
+            consider(frame.to_local(way.to), form_factor(way, along, facing(way, along, sender.spread), area_m2),
                      static_cast<std::uint32_t>(patches_.count()) + cell,
                      slopes_of_form_factor(way, place, sender, area_m2));
             return;
@@ -232,7 +237,7 @@ private:
             has_link = 1;
             if (sender.is_on_sheet || sender.is_bright) {
                 const double by_rays = patches_.by_rays(patch.number);
-                link_parts(place, frame, patch.number, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0);
+                parts_.add(patch.flat, patch.number, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0);
                 continue;
             }
             has_link =
@@ -247,7 +252,7 @@ private:
             if (!(to_patch.here > 0.0)) continue;
             const Along along(to_patch);
             const double cosine = patch.cosine.mean(-along.direction);
-            consider(to_patch.to, frame, form_factor(to_patch, along, cosine, patch.area_m2), patch.number);
+            consider(frame.to_local(to_patch.to), form_factor(to_patch, along, cosine, patch.area_m2), patch.number);
         }
     }
 
@@ -268,7 +273,7 @@ private:
             sum += by_links(patch);
         for (const std::uint32_t patch : patches_.patches_of(cell)) {
             const double part = by_links(patch) / sum;
-            consider(patches_.middle(patch) - place.position, frame, part * share,
+            consider(frame.to_local(patches_.middle(patch) - place.position), part * share,
                      static_cast<std::uint32_t>(patches_.count()) + cell, part * slopes);
         }
     }
@@ -289,63 +294,7 @@ private:
             const Along along(way);
             const double cosine = patch.cosine.mean(-along.direction);
             const double share = form_factor(way, along, cosine, patch.area_m2 / parts);
-            consider(way.to, frame, share, patch.number, {0.0, share * at});
-        }
-    }
-
-    // A flat patch, in parts that are small beside their distance. `factor`: of its form factor.
-    void link_parts(const Receivers::Place& place, const Frame& frame, std::uint32_t patch, double factor) {
-        if (!(factor > 0.0)) return;
-        const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
-        const glm::dvec3& normal = patches_.normal(patch);
-        const glm::dvec3 to_corner = corners[0] - place.position;
-        if (!(glm::dot(normal, to_corner) < 0.0)) return;
-        const Parallelogram sides(place.normal, corners[1] - corners[0], corners[3] - corners[0]);
-        const double length_u = std::sqrt(sides.uu);
-        const double length_v = std::sqrt(sides.vv);
-        // A covered part is taken to lie all over the patch.
-        const double free = patches_.area_m2(patch) / (length_u * length_v);
-        const double least_of_parts = place.is_fine ? least_of_part_for_fine : least_of_part;
-        parts_.assign(1, {glm::dvec2(0.5), glm::dvec2(0.5), 0});
-        while (!parts_.empty()) {
-            Part part = parts_.back();
-            parts_.pop_back();
-            const glm::dvec3 to = to_corner + part.middle.x * sides.u + part.middle.y * sides.v;
-            const glm::dvec2 half_m = part.half * glm::dvec2(length_u, length_v);
-            const bool is_small = is_far(glm::dot(to, to), glm::length(half_m), least_of_parts);
-            if (part.depth < deepest_part && !is_small) {
-                const int axis = half_m.x >= half_m.y ? 0 : 1;
-                part.half[axis] *= 0.5;
-                ++part.depth;
-                part.middle[axis] -= part.half[axis];
-                parts_.push_back(part);
-                part.middle[axis] += 2.0 * part.half[axis];
-                parts_.push_back(part);
-                continue;
-            }
-            SeenPolygon seen{0.0, to};
-            if (is_small && sides.is_above(to, part.half)) {
-                seen.form_factor = sides.form_factor(to, part.half);
-            } else {
-                const glm::dvec3 u = part.half.x * sides.u;
-                const glm::dvec3 v = part.half.y * sides.v;
-                seen = seen_above(place.normal, {to - u - v, to + u - v, to + u + v, to - u + v});
-            }
-            if (!(seen.form_factor > 0.0)) continue;
-            const double share = free * seen.form_factor;
-            const Way way(place, place.position + seen.middle, normal);
-            const glm::dvec3 moved = seen.middle - to;
-            glm::dvec2 at = part.middle - 0.5 +
-                            glm::dvec2(glm::dot(moved, sides.u) / sides.uu, glm::dot(moved, sides.v) / sides.vv);
-            // The nearer side of the part counts more.
-            if (way.is_seen()) {
-                const glm::dvec3 steepness =
-                    place.normal / way.here - normal / way.there - 4.0 / way.distance2 * way.to;
-                at += part.half * part.half / 3.0 *
-                      glm::dvec2(glm::dot(steepness, sides.u), glm::dot(steepness, sides.v));
-            }
-            const bool is_even = std::max(std::abs(at.x), std::abs(at.y)) < least_moment;
-            consider(way.to, frame, factor * share, patch, is_even ? glm::dvec2(0.0) : share * at);
+            consider(frame.to_local(way.to), share, patch.number, {0.0, share * at});
         }
     }
 
@@ -374,13 +323,13 @@ private:
                along.per_distance;
     }
 
-    // `to`: from the place, of any length; `moments`: of the form factor.
-    void consider(const glm::dvec3& to, const Frame& frame, double share, std::uint32_t number,
+    // `towards`: in the place's frame, of any length; `moments`: of the form factor.
+    void consider(const glm::dvec3& towards, double share, std::uint32_t number,
                   const glm::dvec2& moments = glm::dvec2(0.0)) {
         const auto of_link = static_cast<float>(share);
         if (!(of_link > 0.0F)) return;
         possible_.push_back({number, of_link, static_cast<float>(moments.x), static_cast<float>(moments.y)});
-        if (may_be_hidden_) towards_.add(frame.to_local(to));
+        if (may_be_hidden_) towards_.add(towards);
     }
 
     BundleCaster caster_;
@@ -388,7 +337,6 @@ private:
     const Patches& patches_;
     const LinkedCells& linked_;
     // For the current place:
-    std::vector<std::uint8_t> is_before_;     // by chart
     CellLinks cell_links_;                    // of parts of one chart
     std::vector<LinkedCells::Range> divided_; // the patches of cells
     std::vector<By> by_link_;                 // by cell
@@ -398,14 +346,9 @@ private:
         float share;
         float along_u, along_v;
     };
-    std::vector<Possible> possible_; // of one chart
-    bool may_be_hidden_ = false;     // something else may be met before the chart
-    struct Part {                    // of a flat patch, in its sides
-        glm::dvec2 middle;
-        glm::dvec2 half;
-        int depth; // how often it was halved
-    };
-    std::vector<Part> parts_;
+    std::vector<Possible> possible_;    // of one chart
+    bool may_be_hidden_ = false;        // something else may be met before the chart
+    PartLinks parts_;                   // of flat patches of one chart
     DirectionArrays towards_;           // of possible links that may be hidden, of any length
     std::vector<std::uint32_t> charts_; // which rays meet
     std::vector<std::uint32_t> count_;  // of rays, by chart
