@@ -68,12 +68,8 @@ void LinkedCells::add_patches(const Patches& patches, std::size_t cell) {
     const bool is_long = std::any_of(of_cell.begin(), of_cell.end(),
                                      [&](std::uint32_t patch) { return patches.half_length(patch) > 0.0; });
     if (of.covered || of.is_uneven() || of.spread > most_spread || is_long) {
-        const bool is_flat = patches.charts().all()[of.chart].kind == Chart::Kind::flat;
         parts_[cell].patches = {single_patches_.size(), single_patches_.size() + of_cell.size()};
-        for (const std::uint32_t patch : of_cell)
-            single_patches_.push_back({patches.middle(patch), patches.normal(patch), patches.half_across(patch),
-                                       patches.half_length(patch), patches.area_m2(patch), patches.cosine_over(patch),
-                                       is_flat ? patches.flat(patch) : FlatPatch(), patch});
+        add_single(patches, of, of_cell);
         return;
     }
     parts_[cell].has_parts = true;
@@ -86,6 +82,31 @@ void LinkedCells::add_patches(const Patches& patches, std::size_t cell) {
         numbers.area_m2 = patches.area_m2(patch);
         numbers.least_m = least_of_patch * patches.half_across(patch);
         add(patch, numbers);
+    }
+}
+
+void LinkedCells::add_single(const Patches& patches, const Cell& of, std::span<const std::uint32_t> of_cell) {
+    const bool is_flat = patches.charts().all()[of.chart].kind == Chart::Kind::flat;
+    const auto by_links = [&](std::uint32_t patch) {
+        return patches.area_m2(patch) * (1.0 - static_cast<double>(patches.by_rays(patch)));
+    };
+    double of_all = 0.0;
+    for (const std::uint32_t patch : of_cell)
+        of_all += by_links(patch);
+    for (const std::uint32_t patch : of_cell) {
+        LinkedPatch& single = single_patches_.emplace_back();
+        single.middle = patches.middle(patch);
+        single.normal = patches.normal(patch);
+        single.half_across_m = patches.half_across(patch);
+        single.half_length_m = patches.half_length(patch);
+        single.area_m2 = patches.area_m2(patch);
+        single.cosine = patches.cosine_over(patch);
+        single.number = patch;
+        if (is_flat) single.flat = patches.flat(patch);
+        if (!of.is_bright) continue;
+        const auto by_rays = static_cast<double>(patches.by_rays(patch));
+        single.over_rays = (1.0 - by_rays) / by_rays;
+        single.of_bright = by_links(patch) / of_all;
     }
 }
 

@@ -16,6 +16,7 @@
 
 namespace gonio::detail {
 
+struct Cell;
 class Patches;
 
 struct LinkedPatch {
@@ -25,7 +26,9 @@ struct LinkedPatch {
     double half_length_m = 0.0; // as Patches::half_length()
     double area_m2 = 0.0;
     PatchCosine cosine;
-    FlatPatch flat; // of a flat one
+    FlatPatch flat;         // of a flat one
+    double over_rays = 1.0; // what links carry of it, over what rays do; 1 where they carry all
+    double of_bright = 1.0; // what links carry of it, over what they do of all of a bright cell
     std::uint32_t number = 0;
 };
 
@@ -82,6 +85,7 @@ private:
     void add_chart(const Patches& patches, std::span<const std::uint32_t> cells);
     void add_cell(const Patches& patches, std::uint32_t number);
     void add_patches(const Patches& patches, std::size_t cell);
+    void add_single(const Patches& patches, const Cell& of, std::span<const std::uint32_t> of_cell);
     struct Numbers;
     void add(std::uint32_t number, const Numbers& numbers);
 

@@ -217,27 +217,27 @@ private:
         const std::uint32_t cell = part.number;
         const Cell& sender = patches_.cells()[cell];
         if (sender.covered) return;
+        const std::span<const LinkedPatch> patches = linked_.single_patches(part);
         const Way way(place, sender.linked_middle, sender.normal);
         if (sender.is_uneven() && way.is_far(sender.half_diagonal_m, LinkedCells::least_of_flat)) {
             by_link_[cell] = By::cell;
             const double area_m2 = patches_.cell_area_m2(cell);
-            if (sender.is_bright) {
-                link_bright(place, way, frame, cell, area_m2);
-                return;
-            }
             const Along along(way);
-            consider(frame.to_local(way.to), form_factor(way, along, facing(way, along, sender.spread), area_m2),
-                     static_cast<std::uint32_t>(patches_.count()) + cell,
-                     slopes_of_form_factor(way, place, sender, area_m2));
+            const double share = form_factor(way, along, facing(way, along, sender.spread), area_m2);
+            const glm::dvec2 slopes = slopes_of_form_factor(way, place, sender, area_m2);
+            const std::uint32_t number = static_cast<std::uint32_t>(patches_.count()) + cell;
+            if (sender.is_bright)
+                link_bright(frame, share, number, slopes, patches);
+            else
+                consider(frame.to_local(way.to), share, number, slopes);
             return;
         }
         by_link_[cell] = By::patches;
-        for (const LinkedPatch& patch : linked_.single_patches(part)) {
+        for (const LinkedPatch& patch : patches) {
             std::uint8_t& has_link = has_link_[patch.number];
             has_link = 1;
             if (sender.is_on_sheet || sender.is_bright) {
-                const double by_rays = patches_.by_rays(patch.number);
-                parts_.add(patch.flat, patch.number, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0);
+                parts_.add(patch.flat, patch.number, patch.over_rays);
                 continue;
             }
             has_link =
@@ -258,24 +258,15 @@ private:
 
     // A cell close to a light, which sends much: something may hide one part of it, so each of its patches is asked
     // for.
-    void link_bright(const Receivers::Place& place, const Way& way, const Frame& frame, std::uint32_t cell,
-                     double area_m2) {
-        const Cell& sender = patches_.cells()[cell];
-        const Along middle(way);
-        const double share = form_factor(way, middle, facing(way, middle, sender.spread), area_m2);
-        if (!(share > 0.0)) return;
-        const glm::dvec2 slopes = slopes_of_form_factor(way, place, sender, area_m2);
-        const auto by_links = [&](std::uint32_t patch) {
-            return patches_.area_m2(patch) * (1.0 - static_cast<double>(patches_.by_rays(patch)));
-        };
-        double sum = 0.0;
-        for (const std::uint32_t patch : patches_.patches_of(cell))
-            sum += by_links(patch);
-        for (const std::uint32_t patch : patches_.patches_of(cell)) {
-            const double part = by_links(patch) / sum;
-            consider(frame.to_local(patches_.middle(patch) - place.position), part * share,
-                     static_cast<std::uint32_t>(patches_.count()) + cell, part * slopes);
+    void link_bright(const Frame& frame, double share, std::uint32_t sender, const glm::dvec2& slopes,
+                     std::span<const LinkedPatch> patches) {
+        if (!may_be_hidden_) {
+            consider(glm::dvec3(0.0), share, sender, slopes);
+            return;
         }
+        for (const LinkedPatch& patch : patches)
+            consider(frame.to_local(patch.middle - frame.origin), patch.of_bright * share, sender,
+                     patch.of_bright * slopes);
     }
 
     // A patch along a thin solid, in parts that are far enough away for the form factor of what is small.

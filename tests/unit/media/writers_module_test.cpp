@@ -5,9 +5,11 @@
 #include <gonio/media/module.hpp>
 
 #include "../folders.hpp"
+#include "../scaled.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -182,12 +184,15 @@ TEST_F(WritersModule, FilteredRowsOfPngAreReadBack) {
 }
 
 TEST_F(WritersModule, WritesOpenExrAsOpenImageIoDoes) {
+    const std::array<std::vector<const char*>, 4> names{{
+        {"a name of a channel with more than thirty-one letters", "B", "A"},
+        {"Y"},
+        {"R", "G", "B"},
+        {"R", "G", "B", "A"},
+    }};
     for (const char* const compression : {"", "none", "rle", "zip", "zips", "piz"})
         for (const std::int32_t pixel : {abi::pixel_half, abi::pixel_float})
-            for (const std::vector<const char*>& channels :
-                 {std::vector<const char*>{"Y"}, std::vector<const char*>{"R", "G", "B"},
-                  std::vector<const char*>{"R", "G", "B", "A"},
-                  std::vector<const char*>{"a name of a channel with more than thirty-one letters", "B", "A"}}) {
+            for (const std::vector<const char*>& channels : test::scaled(names)) {
                 SCOPED_TRACE(std::string(compression) + ' ' + std::to_string(pixel) + ' ' + channels.front());
                 std::vector<abi::Attribute> attributes{
                     text("Software", "gonio"),
