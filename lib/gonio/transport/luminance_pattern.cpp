@@ -269,10 +269,14 @@ void LuminancePattern::evaluate(const transport::Receivers& receivers, const glm
     replace_far(receivers, anchor, share.data());
 }
 
-double LuminancePattern::towards(const glm::dvec3& receiver, const glm::dvec3& direction) const {
-    if (image_ == nullptr) return light_.luminance_share(-direction);
+void LuminancePattern::towards(const glm::dvec3& receiver, const transport::Points& directions,
+                               const transport::IntensityKernels& intensity, float* share) const {
+    if (image_ == nullptr) return towards_points(directions, -1.0, intensity, share);
     constexpr double blur = 1.0 / 12.0; // of a side: shadows look along 8 lines of 4 cells each
-    return blurred(receiver, direction, glm::dvec2(blur));
+    for (std::size_t i = 0; i < directions.count; ++i) {
+        const auto axis = [&](std::size_t of) { return static_cast<double>(directions.position[of][i]); };
+        share[i] = static_cast<float>(blurred(receiver, {axis(0), axis(1), axis(2)}, glm::dvec2(blur)));
+    }
 }
 
 // The mean of the image over a rectangle around the place that the ray meets, which is moved onto the light.
@@ -321,21 +325,40 @@ void LuminancePattern::by_directions(const transport::Receivers& receivers, cons
         share[i] = weights[i] > 0.0 ? static_cast<float>(sums[i] / weights[i]) : 0.0F;
 }
 
-void LuminancePattern::towards_points(const transport::Points& points, const transport::IntensityKernels& kernels,
-                                      float* share) const {
+void LuminancePattern::towards_points(const transport::Points& points, double side,
+                                      const transport::IntensityKernels& kernels, float* share) const {
     const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
     transport::LightFrame axes;
-    copy(frame.x, axes.x);
-    copy(frame.y, axes.y);
-    copy(frame.z, axes.z);
+    copy(side * frame.x, axes.x);
+    copy(side * frame.y, axes.y);
+    copy(side * frame.z, axes.z);
     std::fill(share, share + points.count, 1.0F);
     kernels.web(points, axes, web_->constants(light_.web_scale), share);
     if (light_.emission == nullptr) return;
-    const LuminousBody& body = *light_.emission->body;
-    for (std::size_t i = 0; i < points.count; ++i) {
-        const glm::dvec3 direction(points.position[0][i], points.position[1][i], points.position[2][i]);
-        const double projected_m2 = body.projected_area_m2(frame.to_local(direction));
-        share[i] = projected_m2 > 0.0 ? static_cast<float>(static_cast<double>(share[i]) / projected_m2) : 0.0F;
+    constexpr std::size_t most = 64;
+    std::array<float, most> distance{};
+    std::array<float, most> projected{}; // times the distance
+    for (std::size_t first = 0; first < points.count; first += most) {
+        const std::size_t count = std::min(points.count - first, most);
+        const float* const x = points.position[0] + first;
+        const float* const y = points.position[1] + first;
+        const float* const z = points.position[2] + first;
+        for (std::size_t i = 0; i < count; ++i)
+            distance[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        std::fill_n(projected.begin(), count, 0.0F);
+        for (const LuminousFace& face : light_.emission->body->faces()) {
+            const auto area_m2 = static_cast<float>(face.area_m2);
+            const glm::vec3 normal(side * face.area_m2 * frame.to_world(face.normal));
+            for (std::size_t i = 0; i < count && face.is_flat; ++i) {
+                const float towards = normal.x * x[i] + normal.y * y[i] + normal.z * z[i];
+                projected[i] += towards > 0.0F ? towards : 0.0F;
+            }
+            for (std::size_t i = 0; i < count && !face.is_flat; ++i)
+                projected[i] += 0.25F * area_m2 * distance[i];
+        }
+        float* const shares = share + first;
+        for (std::size_t i = 0; i < count; ++i)
+            shares[i] = projected[i] > 0.0F ? shares[i] * distance[i] / projected[i] : 0.0F;
     }
 }
 
@@ -479,7 +502,8 @@ void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm:
                 towards[static_cast<std::size_t>(axis)][k] = static_cast<float>(-to_light[axis]);
         }
         if (image_ == nullptr)
-            towards_points({{towards[0].data(), towards[1].data(), towards[2].data()}, count}, intensity, seen.data());
+            towards_points({{towards[0].data(), towards[1].data(), towards[2].data()}, count}, 1.0, intensity,
+                           seen.data());
         for (std::size_t k = 0; k < count; ++k)
             if (mean[first + k] > 0.0F) share[first + k] += narrow[k] * (seen[k] - share[first + k]);
     }

@@ -75,8 +75,10 @@ public:
     // How much the web changes with direction; null for a light with an image.
     const WebVariation* variation() const { return variation_.get(); }
 
-    // A factor on Light::luminance from a unit direction, of images blurred to a few parts of their side.
-    double towards(const glm::dvec3& receiver, const glm::dvec3& direction) const;
+    // Factors on Light::luminance that a receiver sees along unit directions, of images blurred to a few parts of their
+    // side.
+    void towards(const glm::dvec3& receiver, const transport::Points& directions,
+                 const transport::IntensityKernels& intensity, float* share) const;
 
 private:
     void by_columns(const transport::Receivers& receivers, const glm::dvec3& anchor,
@@ -84,8 +86,9 @@ private:
 
     void replace_far(const transport::Receivers& receivers, const glm::dvec3& anchor, float* share) const;
 
-    // Factors on Light::luminance towards points, relative to its centre, of lights without an image.
-    void towards_points(const transport::Points& points, const transport::IntensityKernels& kernels,
+    // Factors on Light::luminance towards points, relative to its centre, of lights without an image. `side`: −1 for
+    // points as far on the other side.
+    void towards_points(const transport::Points& points, double side, const transport::IntensityKernels& kernels,
                         float* share) const;
 
     double blurred(const glm::dvec3& viewer, const glm::dvec3& toward, const glm::dvec2& half) const;

@@ -20,6 +20,7 @@ using transport::ShadowShares;
 SoftShadow::SoftShadow(const LitScene& scene)
     : scene_(scene),
       reflectance_(shading::reflectance_kernels(scene.options.instruction_set)),
+      intensity_(transport::intensity_kernels(scene.options.instruction_set)),
       kernels_(transport::shadow_kernels(scene.options.instruction_set)),
       plain_kernels_(transport::shadow_kernels(simd::InstructionSet::scalar)) {}
 
@@ -100,10 +101,11 @@ void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
             towards_[axis][cell] = at[(2 + axis) * all];
     }
     if (!light_->luminance) return;
-    for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
-        const glm::dvec3 towards(towards_[0][cell], towards_[1][cell], towards_[2][cell]);
-        light_of_[cell] *= static_cast<float>(light_->luminance->towards(point, towards));
-    }
+    OfCells luminance;
+    light_->luminance->towards(point, {{towards_[0].data(), towards_[1].data(), towards_[2].data()}, luminance.size()},
+                               intensity_, luminance.data());
+    for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell)
+        light_of_[cell] *= luminance[cell];
 }
 
 // The share of the illuminance of a light whose luminance is not the same everywhere.
