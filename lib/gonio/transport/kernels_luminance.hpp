@@ -64,12 +64,43 @@ struct LightNodes {
     std::size_t count = 0;
 };
 
+// What glossy lobes show of an area light, at points of a surface.
+struct LobePoints {
+    const float* position[3] = {}; // [m]
+    const float* normal[3] = {};   // unit
+    const float* view[3] = {};     // unit, towards the eye
+    std::size_t count = 0;
+};
+
+struct LobeLight {
+    float origin[3] = {};            // the middle [m]
+    float x[3] = {1.0F, 0.0F, 0.0F}; // of a flat light
+    float y[3] = {0.0F, 1.0F, 0.0F};
+    float z[3] = {0.0F, 0.0F, 1.0F};
+    bool is_flat = false;
+    bool is_round = false;
+    float half_x = 0.0F; // [m]
+    float half_y = 0.0F;
+    float radius = 0.0F;
+    float lobe_rad = 0.0F; // half of the angle that the lobe covers, about
+};
+
+// One of each for each point.
+struct LobeViews {
+    // a²/(a² + b²) for the angle a that the radius of the light subtends and that of the lobe, b: 1 for a narrow lobe.
+    float* narrow = nullptr;
+    // From where the mirrored view meets the light, or its edge, to the point [m]; from the middle of one that is not
+    // flat.
+    float* towards[3] = {};
+};
+
 struct LuminanceKernels {
     simd::InstructionSet set;
     // Adds to `share`; 0 behind the light and where it is below the horizon.
     void (*columns)(const Receivers&, const ColumnLight&, float* share);
     // Sets `share` to the mean luminance of the nodes, ≥ 0; 0 where none of them is above the horizon or emits there.
     void (*nodes)(const Receivers&, const NodeLight&, const LightNodes&, float* share);
+    void (*lobes)(const LobePoints&, const LobeLight&, const LobeViews&);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

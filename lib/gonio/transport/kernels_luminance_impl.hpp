@@ -311,6 +311,52 @@ void mean_of_nodes(const Receivers& receivers, const NodeLight& light, const Lig
     });
 }
 
+// Where the mirrored view meets the plane of a flat light, moved onto the light; one that runs along the plane or away
+// from it meets it far outside.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> met_by_mirrored(const LobeLight& light, const vec3<S>& to_center, const vec3<S>& mirrored) {
+    const vec3<S> x = spread<S>(light.x);
+    const vec3<S> y = spread<S>(light.y);
+    const vec3<S> z = spread<S>(light.z);
+    const S above = -dot(to_center, z);
+    const S slope = simd::max(-simd::copysign(S(1), above) * dot(mirrored, z), S(1e-3F));
+    const S way = simd::abs(above) / slope;
+    const S at_x = simd::mul_add(way, dot(mirrored, x), -dot(to_center, x));
+    const S at_y = simd::mul_add(way, dot(mirrored, y), -dot(to_center, y));
+    const S half_x(light.half_x);
+    const S half_y(light.half_y);
+    if (!light.is_round)
+        return mul_add(x, simd::min(simd::max(at_x, -half_x), half_x), y * simd::min(simd::max(at_y, -half_y), half_y));
+    const S part_x = at_x / half_x;
+    const S part_y = at_y / half_y;
+    const S onto = S(1) / simd::max(simd::sqrt(simd::mul_add(part_x, part_x, part_y * part_y)), S(1));
+    return mul_add(x, at_x * onto, y * (at_y * onto));
+}
+
+template<class S>
+void views_of_lobes(const LobePoints& points, const LobeLight& light, const LobeViews& views) {
+    const S lobe2(light.lobe_rad * light.lobe_rad);
+    simd::for_each_packet<simd::Packet<S>>(points.count, [&](const simd::Packet<S>& packet) {
+        const auto load = [&](const float* const(&from)[3]) {
+            return vec3<S>{packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
+        };
+        const vec3<S> to_center = spread<S>(light.origin) - load(points.position);
+        const S size = S(light.radius) / simd::sqrt(dot(to_center, to_center));
+        const S size2 = size * size;
+        packet.store(size2 / simd::max(size2 + lobe2, S(1e-30F)), views.narrow);
+        vec3<S> to_light = to_center;
+        if (light.is_flat) {
+            const vec3<S> normal = load(points.normal);
+            const vec3<S> view = load(points.view);
+            const vec3<S> mirrored = normal * (S(2) * dot(normal, view)) - view;
+            to_light = to_light + met_by_mirrored(light, to_center, mirrored);
+        }
+        packet.store(-to_light.x, views.towards[0]);
+        packet.store(-to_light.y, views.towards[1]);
+        packet.store(-to_light.z, views.towards[2]);
+    });
+}
+
 extern const LuminanceKernels kernels_luminance_scalar;
 extern const LuminanceKernels kernels_luminance_sse2;
 extern const LuminanceKernels kernels_luminance_avx2;

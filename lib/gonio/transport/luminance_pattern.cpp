@@ -460,52 +460,61 @@ void LuminancePattern::from_center(const transport::Receivers& receivers, const 
 }
 
 void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
+                                   const transport::LuminanceKernels& kernels,
                                    const transport::IntensityKernels& intensity, const std::vector<float>& mean,
                                    std::vector<float>& share) const {
     share = mean;
     const Frame& frame = light_.frame;
     const Outline outline = std::visit(OutlineOf(), light_.shape);
-    const glm::dvec2 half_m(outline.half_x, outline.half_y);
-    const double radius_m =
-        with_traits(light_.shape, [](const auto& kind, auto traits) { return traits.radius(kind); });
     const double lobe_rad = 2.0 * alpha; // facets turn what they reflect by twice their angle
-    constexpr std::size_t most = 64;     // points of a chunk
+    transport::LobeLight light;
+    copy(frame.origin - anchor, light.origin);
+    copy(frame.x, light.x);
+    copy(frame.y, light.y);
+    copy(frame.z, light.z);
+    light.is_flat = front_ != nullptr;
+    light.is_round = outline.is_round;
+    light.half_x = static_cast<float>(outline.half_x);
+    light.half_y = static_cast<float>(outline.half_y);
+    light.radius = static_cast<float>(
+        with_traits(light_.shape, [](const auto& kind, auto traits) { return traits.radius(kind); }));
+    light.lobe_rad = static_cast<float>(lobe_rad);
+    constexpr std::size_t most = 64; // points of a chunk
     std::array<std::array<float, most>, 3> towards{};
     std::array<float, most> narrow{};
     std::array<float, most> seen{};
     for (std::size_t first = 0; first < surfaces.count; first += most) {
         const std::size_t count = std::min(surfaces.count - first, most);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t i = first + k;
-            const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
-            const glm::dvec3 normal = vector(surfaces.normal);
-            const glm::dvec3 view = vector(surfaces.view);
-            const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
-            const glm::dvec3 to_center = frame.origin - anchor - vector(surfaces.position);
-            const double distance_m = glm::length(to_center);
-            narrow[k] = static_cast<float>(square_share(radius_m / distance_m, lobe_rad));
-            if (image_ != nullptr) {
-                const glm::dvec2 half = 0.5 * lobe_rad * distance_m / half_m;
-                seen[k] = static_cast<float>(blurred(frame.origin - to_center, mirrored, half));
-                continue;
-            }
-            glm::dvec3 to_light = to_center;
-            if (front_ != nullptr) {
-                glm::dvec2 at = meeting(frame.to_local(-to_center), frame.to_local(mirrored));
-                if (outline.is_round)
-                    at /= std::max(glm::length(at / half_m), 1.0);
-                else
-                    at = glm::clamp(at, -half_m, half_m);
-                to_light += at.x * frame.x + at.y * frame.y;
-            }
-            for (int axis = 0; axis < 3; ++axis)
-                towards[static_cast<std::size_t>(axis)][k] = static_cast<float>(-to_light[axis]);
+        transport::LobePoints points;
+        for (int axis = 0; axis < 3; ++axis) {
+            points.position[axis] = surfaces.position[axis] + first;
+            points.normal[axis] = surfaces.normal[axis] + first;
+            points.view[axis] = surfaces.view[axis] + first;
         }
+        points.count = count;
+        kernels.lobes(points, light, {narrow.data(), {towards[0].data(), towards[1].data(), towards[2].data()}});
         if (image_ == nullptr)
             towards_points({{towards[0].data(), towards[1].data(), towards[2].data()}, count}, 1.0, intensity,
                            seen.data());
+        else
+            blurred_by_lobes(points, anchor, lobe_rad, seen.data());
         for (std::size_t k = 0; k < count; ++k)
             if (mean[first + k] > 0.0F) share[first + k] += narrow[k] * (seen[k] - share[first + k]);
+    }
+}
+
+void LuminancePattern::blurred_by_lobes(const transport::LobePoints& points, const glm::dvec3& anchor, double lobe_rad,
+                                        float* seen) const {
+    const Outline outline = std::visit(OutlineOf(), light_.shape);
+    const glm::dvec2 half_m(outline.half_x, outline.half_y);
+    for (std::size_t i = 0; i < points.count; ++i) {
+        const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
+        const glm::dvec3 normal = vector(points.normal);
+        const glm::dvec3 view = vector(points.view);
+        const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
+        const glm::dvec3 position = anchor + vector(points.position);
+        const glm::dvec2 half = 0.5 * lobe_rad * glm::distance(position, light_.frame.origin) / half_m;
+        seen[i] = static_cast<float>(blurred(position, mirrored, half));
     }
 }
 

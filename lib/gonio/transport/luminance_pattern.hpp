@@ -57,8 +57,8 @@ public:
     // The same for what a lobe of roughness `alpha` (GGX) reflects towards the views, given the results of evaluate():
     // a narrow lobe shows the luminance from where the mirrored view meets the light, a wide one the mean.
     void along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
-                     const transport::IntensityKernels& intensity, const std::vector<float>& mean,
-                     std::vector<float>& share) const;
+                     const transport::LuminanceKernels& kernels, const transport::IntensityKernels& intensity,
+                     const std::vector<float>& mean, std::vector<float>& share) const;
 
     // The factor as from the centre of the light alone, and how far at most the factors of evaluate() and of
     // along_lobes() with this `alpha` can be from it (derived beside the code). Infinite where there is no bound, and
@@ -91,6 +91,8 @@ private:
     void towards_points(const transport::Points& points, double side, const transport::IntensityKernels& kernels,
                         float* share) const;
 
+    void blurred_by_lobes(const transport::LobePoints& points, const glm::dvec3& anchor, double lobe_rad,
+                          float* seen) const;
     double blurred(const glm::dvec3& viewer, const glm::dvec3& toward, const glm::dvec2& half) const;
 
     void by_directions(const transport::Receivers& receivers, const glm::dvec3& anchor,

@@ -246,7 +246,8 @@ void SampleShader::apply_luminance(const LitLight& light, const shading::Surface
                 channel[i] *= share_[i];
         return;
     }
-    light.luminance->along_lobes(surfaces, samples.anchor, *alpha, scene_.intensity, share_, glossy_share_);
+    light.luminance->along_lobes(surfaces, samples.anchor, *alpha, scene_.luminance, scene_.intensity, share_,
+                                 glossy_share_);
     scene_.kernels.shade(surfaces, constants, scene_.diffuse_materials[samples.surface],
                          pointers(diffuse_, count).data());
     for (std::size_t channel = 0; channel < 3; ++channel)
