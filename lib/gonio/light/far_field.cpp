@@ -1,4 +1,5 @@
 #include <gonio/light/far_field.hpp>
+#include <gonio/light/luminances.hpp>
 #include <gonio/web/quick_web.hpp>
 
 #include <glm/geometric.hpp>
@@ -68,12 +69,12 @@ private:
 // The faces' elements as a receiver sees them.
 class Elements {
 public:
-    Elements(const LuminousBody& body, const Web& web) : quick_(web) {
+    Elements(const LuminousBody& body, const Web& web) : body_(body), quick_(web) {
         for (const LuminousFace& face : body.faces()) {
             std::vector<Element> elements;
             std::visit(ElementsOf{face, elements}, face.shape);
-            faces_.push_back({face.normal, face.frame.origin, face.area_m2, face.is_flat, all_.size(),
-                              all_.size() + elements.size()});
+            faces_.push_back(
+                {face.normal, face.frame.origin, face.is_flat, all_.size(), all_.size() + elements.size()});
             all_.insert(all_.end(), elements.begin(), elements.end());
         }
         for (const Element& element : all_)
@@ -105,20 +106,10 @@ public:
                 ++count;
             }
         }
-        std::fill_n(projected_m3_.begin(), count, 0.0);
         for (std::size_t i = 0; i < count; ++i)
             distance_m_[i] = std::sqrt(x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i]);
-        for (const Face& face : faces_) { // the projected area of the whole body, times the distance
-            if (face.is_flat)
-                for (std::size_t i = 0; i < count; ++i) {
-                    const double to_face_m = face.normal.x * x_[i] + face.normal.y * y_[i] + face.normal.z * z_[i];
-                    projected_m3_[i] += face.area_m2 * std::max(to_face_m, 0.0);
-                }
-            else
-                for (std::size_t i = 0; i < count; ++i)
-                    projected_m3_[i] += 0.25 * face.area_m2 * distance_m_[i];
-        }
         const auto some = [count](std::vector<double>& numbers) { return std::span(numbers.data(), count); };
+        projected_areas(body_, some(x_), some(y_), some(z_), some(distance_m_), some(projected_m3_));
         quick_.candela(some(x_), some(y_), some(z_), some(candela_));
         for (std::size_t i = 0; i < count; ++i) {
             const double r = distance_m_[i];
@@ -134,12 +125,12 @@ private:
     struct Face {
         glm::dvec3 normal;
         glm::dvec3 origin;
-        double area_m2;
         bool is_flat;
         std::size_t first; // of its elements
         std::size_t end;
     };
 
+    const LuminousBody& body_;
     QuickWeb quick_;
     std::vector<Element> all_;
     std::vector<Face> faces_;

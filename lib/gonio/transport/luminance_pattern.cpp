@@ -1,5 +1,6 @@
 #include <gonio/light/light_image.hpp>
 #include <gonio/light/luminaire.hpp>
+#include <gonio/light/luminances.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/transport/luminance_pattern.hpp>
 #include <gonio/web/web.hpp>
@@ -151,23 +152,43 @@ ColumnPattern::ColumnPattern(const Light& light, bool columns_along_y, bool behi
     : count_(static_cast<std::size_t>(std::ceil(180.0 / step_deg)) + 1),
       step_rad_(pi / static_cast<double>(count_ - 1)),
       nodes_(count_ * count_ * 4) {
+    LuminanceShares luminances(light);
     const Frame frame = column_frame(light.frame, columns_along_y, behind);
+    const glm::dvec3 x = luminances.frame().to_local(frame.x);
+    const glm::dvec3 y = luminances.frame().to_local(frame.y);
+    const glm::dvec3 z = luminances.frame().to_local(frame.z);
     // At 90° itself an opening has no luminance, only the limit of it.
     constexpr double most = 0.5 * pi - 1e-4;
-    const auto angle = [&](std::size_t i) { return static_cast<double>(i) * step_rad_ - 0.5 * pi; };
+    const auto angle = [&](std::size_t i) {
+        return std::clamp(static_cast<double>(i) * step_rad_ - 0.5 * pi, -most, most);
+    };
+    std::vector<double> sine_psi(count_);
+    std::vector<double> cosine_psi(count_);
+    for (std::size_t node = 0; node < count_; ++node) {
+        sine_psi[node] = std::sin(angle(node));
+        cosine_psi[node] = std::cos(angle(node));
+    }
+    std::array<std::vector<double>, 3> towards;
+    for (std::vector<double>& axis : towards)
+        axis.resize(count_);
+    std::vector<double> luminance(count_);
     for (std::size_t row = 0; row < count_; ++row) {
-        const double phi = std::clamp(angle(row), -most, most);
+        const double cosine_phi = std::cos(angle(row));
+        const glm::dvec3 across = -std::sin(angle(row)) * x - cosine_phi * z;
+        for (std::size_t node = 0; node < count_; ++node) {
+            const glm::dvec3 direction = cosine_psi[node] * across - sine_psi[node] * y;
+            for (int axis = 0; axis < 3; ++axis)
+                towards.at(static_cast<std::size_t>(axis))[node] = direction[axis];
+        }
+        luminances.along(towards[0], towards[1], towards[2], luminance);
         double cosine_sum = 0.0;
         double sine_sum = 0.0;
         double before_cosine = 0.0;
         double before_sine = 0.0;
         for (std::size_t node = 0; node < count_; ++node) {
-            const double psi = std::clamp(angle(node), -most, most);
-            const double facing = std::cos(phi) * std::cos(psi);
-            const glm::dvec3 towards = frame.to_world({-std::sin(phi) * std::cos(psi), -std::sin(psi), -facing});
-            const double t = light.luminance_share(towards) * facing;
-            const double cosine = t * std::cos(psi);
-            const double sine = t * std::sin(psi);
+            const double t = luminance[node] * cosine_phi * cosine_psi[node];
+            const double cosine = t * cosine_psi[node];
+            const double sine = t * sine_psi[node];
             if (node > 0) {
                 cosine_sum += 0.5 * step_rad_ * (before_cosine + cosine);
                 sine_sum += 0.5 * step_rad_ * (before_sine + sine);
