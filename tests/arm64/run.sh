@@ -16,14 +16,14 @@ build=build/arm64
 # The headers of libraries are the same on every machine; the C library's headers come with the cross compiler.
 headers='-idirafter /usr/include'
 host=$(g++ -print-multiarch)
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DGONIO_MODULES=OFF \
     -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ \
     "-DCMAKE_CXX_FLAGS=$headers" "-DCMAKE_PREFIX_PATH=/usr/lib/$host/cmake;/usr/share" > /dev/null
 cmake --build "$build" --parallel "$(nproc)" --target gonio gonio-measure
 
 # The tests of code that is compiled for an instruction set, and of the arithmetic below it.
-tests=(simd/dispatch_test simd/math_test shading/kernels_test shading/area_kernels_test shading/ellipse_test bake/skip color/locus
-    preview/materials preview/render)
+tests=(simd/dispatch_test simd/math_test shading/kernels_test shading/area_kernels_test shading/ellipse_test shading/light_shares_test
+    bake/skip color/locus transport/part_links preview/materials preview/render)
 compile() { # SOURCE OBJECT
     aarch64-linux-gnu-g++ -std=c++20 -O1 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -idirafter /usr/include \
         -I lib -I tests/unit -I tests/unit/shading -I /usr/src/googletest/googletest -c "$1" -o "$2"

@@ -37,6 +37,10 @@ struct LightConstants {
     float inverse_range = 0.0F;          // [1/m] of the squared window (falloff.hpp); 0 = no window; not read for a sun
     // The method `shade` uses for the glossy part of an area light; ignored for a punctual light.
     SpecularMethod specular_method = standard_specular_method;
+    // Factors on the colour of an area light for each surface point, ≥ 0, `count` of them, or null: on what all of the
+    // surface but its lobes reflects, and on what these do. Read by `shade` alone.
+    const float* share = nullptr;
+    const float* lobe_share = nullptr;
     float angular_radius = 0.0F; // sun [rad], half of its diameter; in [0, π/2]
     // The rest is read by flat lights (disk, ellipse, rectangle), tube, cylinder and (only the axis) the sun.
     float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: emission of flat lights and the sun; along tubes

@@ -167,6 +167,15 @@ struct PartUnderLight {
             grazing[i] = 0.0F;
         }
     }
+    // Null: 1.
+    void multiply_lx(const float* share, std::size_t count) {
+        for (std::size_t i = 0; share != nullptr && i < count; ++i)
+            lx[i] *= share[i];
+    }
+    void multiply_lobe(const float* share, std::size_t count) {
+        for (std::size_t i = 0; share != nullptr && i < count; ++i)
+            scale[i] *= share[i];
+    }
 };
 
 // Lambert needs neither the view nor the direction of the light.
@@ -231,7 +240,7 @@ struct LobeReflectance {
 template<class S, class Light>
 void add_coat(const Surfaces& surfaces, const Light& any, const CoatConstants& coat_constants,
               const LobeReflectance& lobe, const PartUnderLight<S>& base, const PartUnderLight<S>& top,
-              float* const rgb[3]) {
+              const float* lobe_share, float* const rgb[3]) {
     const Coat<S> coat = coat_of<S>(coat_constants);
     const vec3<S> f0 = broadcast<S>(lobe.f0);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
@@ -246,7 +255,8 @@ void add_coat(const Surfaces& surfaces, const Light& any, const CoatConstants& c
                 const S shine = coat_reflected(coat, of_top);
                 const vec3<S> lobes =
                     left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
-                const vec3<S> color = light.luminance * faded(light, way_to(light, point.position));
+                const S share = lobe_share == nullptr ? S(1) : packet.load(lobe_share);
+                const vec3<S> color = light.luminance * (faded(light, way_to(light, point.position)) * share);
                 packet.store(finite(packet.load(rgb) * left.scattered.scattered(coat) + color * lobes), rgb);
             });
     });
@@ -275,12 +285,17 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
         const std::size_t rest = surfaces.count - first;
         const Surfaces part = seen_part_of<S>(surfaces, first, rest < most ? rest : most);
         float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
+        const float* const share = light.share == nullptr ? nullptr : light.share + first;
+        const float* const lobe_share = light.lobe_share == nullptr ? nullptr : light.lobe_share + first;
         irradiance_any<S>(part, light, &under.lx[0]);
+        under.multiply_lx(share, part.count);
         // Through a coat the base shows its lobe in another way: it is added with the coat's.
-        if (coat.is_on)
+        if (coat.is_on) {
             under.without_lobe(part.count);
-        else if constexpr (Glossy<Material>)
+        } else if constexpr (Glossy<Material>) {
             glossy_under<S, specular>(part, light, gloss(material_of<Material, float>(material_constants)).lobe, under);
+            under.multiply_lobe(lobe_share, part.count);
+        }
         if constexpr (__is_same(Material<S>, Lambert<S>))
             reflect_part<S>(part, light, material, under, to);
         else
@@ -295,8 +310,8 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
                 lobe = {{glossy.f0.x, glossy.f0.y, glossy.f0.z}, glossy.f90, glossy.factor, glossy.lobe.alpha};
                 glossy_under<S, specular>(part, light, glossy.lobe, under);
             }
-            with_light_seen<S>(light,
-                               [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
+            with_light_seen<S>(
+                light, [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, lobe_share, to); });
         }
     }
 }

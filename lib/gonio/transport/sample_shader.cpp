@@ -110,6 +110,7 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
         if (light.is_punctual) guard(options.method, surfaces, constants, intensity_);
         constants.intensity_cd = intensity_.data();
     }
+    if (light.luminance) find_luminance(light, surfaces, samples, constants);
     scene_.kernels.shade(surfaces, constants, scene_.materials[samples.surface], rgb.data());
     const bool approximated = light.approximation.has_value();
     if (options.illuminance || approximated) {
@@ -118,11 +119,10 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
     }
     if (approximated) approximate(light, surfaces, constants, samples.surface);
     if (light.is_punctual) return;
-    if (light.luminance) apply_luminance(light, surfaces, constants, samples);
     const auto luminance_nt = static_cast<float>(light.light.luminance.value);
     if (options.illuminance)
         for (std::size_t i = 0; i < count; ++i)
-            lx_[i] *= luminance_nt;
+            lx_[i] *= luminance_nt * (light.luminance ? share_[i] : 1.0F);
     if (!light.pattern) return;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t channel = 0; channel < 3; ++channel)
@@ -232,29 +232,16 @@ void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& sampl
         lx_[i] *= luminance_nt * (light.pattern ? intensity_[i] : 1.0F);
 }
 
-void SampleShader::apply_luminance(const LitLight& light, const shading::Surfaces& surfaces,
-                                   const shading::LightConstants& constants, const SurfaceSamples& samples) {
-    const std::size_t count = surfaces.count;
+// The shares of the luminance for `shade`.
+void SampleShader::find_luminance(const LitLight& light, const shading::Surfaces& surfaces,
+                                  const SurfaceSamples& samples, shading::LightConstants& constants) {
     light.luminance->evaluate(receivers(surfaces), samples.anchor, scene_.luminance, scene_.intensity, share_);
-    if (scene_.options.illuminance)
-        for (std::size_t i = 0; i < count; ++i)
-            lx_[i] *= share_[i];
+    constants.share = share_.data();
     const std::optional<double> alpha = lobe_alpha(scene_.core_materials[samples.surface]);
-    if (!alpha) {
-        for (std::vector<float>& channel : rgb_)
-            for (std::size_t i = 0; i < count; ++i)
-                channel[i] *= share_[i];
-        return;
-    }
+    if (!alpha) return;
     light.luminance->along_lobes(surfaces, samples.anchor, *alpha, scene_.luminance, scene_.intensity, share_,
                                  glossy_share_);
-    scene_.kernels.shade(surfaces, constants, scene_.diffuse_materials[samples.surface],
-                         pointers(diffuse_, count).data());
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        for (std::size_t i = 0; i < count; ++i) {
-            const float glossy = std::max(rgb_[channel][i] - diffuse_[channel][i], 0.0F);
-            rgb_[channel][i] = glossy_share_[i] * glossy + share_[i] * diffuse_[channel][i];
-        }
+    constants.lobe_share = glossy_share_.data();
 }
 
 // Replaces the exact irradiance by the approximated one, in the diffuse part and in `lx_`.

@@ -51,8 +51,8 @@ public:
 
 private:
     // Multiplies the results of the kernels by the light's mean luminance, in the diffuse and the glossy part.
-    void apply_luminance(const LitLight& light, const shading::Surfaces& surfaces,
-                         const shading::LightConstants& constants, const SurfaceSamples& samples);
+    void find_luminance(const LitLight& light, const shading::Surfaces& surfaces, const SurfaceSamples& samples,
+                        shading::LightConstants& constants);
     void integrate(const LitLight& light, const SurfaceSamples& samples, std::size_t first, const float* weight);
     void approximate(const LitLight& light, const shading::Surfaces& surfaces, const shading::LightConstants& constants,
                      std::size_t surface);

@@ -8,6 +8,7 @@
 #include <gonio/web/integrate.hpp>
 
 #include "../folders.hpp"
+#include "../scaled.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
