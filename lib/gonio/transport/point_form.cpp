@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <variant>
 
@@ -41,9 +40,30 @@ struct Slopes {
     }
 };
 
-double of_range(double angle_rad) {
-    return std::cos(std::clamp(angle_rad, 0.0, std::numbers::pi));
-}
+// An angle from 0 to π by its cosine and sine. Sums and differences end there.
+struct Angle {
+    double cosine = 1.0;
+    double sine = 0.0;
+
+    static Angle of_cosine(double cosine) {
+        const double c = std::clamp(cosine, -1.0, 1.0);
+        return {c, std::sqrt((1.0 - c) * (1.0 + c))};
+    }
+    // At most a right one.
+    static Angle of_sine(double sine) {
+        const double s = std::min(sine, 1.0);
+        return {std::sqrt((1.0 - s) * (1.0 + s)), s};
+    }
+    Angle operator+(const Angle& more) const {
+        const Angle sum{cosine * more.cosine - sine * more.sine, sine * more.cosine + cosine * more.sine};
+        return sum.sine < 0.0 ? Angle{-1.0, 0.0} : sum;
+    }
+    Angle operator-(const Angle& less) const {
+        const Angle left{cosine * less.cosine + sine * less.sine, sine * less.cosine - cosine * less.sine};
+        return left.sine < 0.0 ? Angle{1.0, 0.0} : left;
+    }
+    double cosine_of_half() const { return std::sqrt(std::max(0.5 * (1.0 + cosine), 0.0)); }
+};
 
 // The light at w + δ, in units of the distance of its centre, which is at w: an element of a flat light has
 // f(l) (n·q)/|q|⁴ with q = w + δ, l = q/|q| (the height b over the plane of the light is common to all). Let δ = τe
@@ -145,7 +165,7 @@ private:
 // the mean of τ²/ρ². With t = φ₁²/2 + φ₂ ≤ 1, e^φ₂ cosh φ₁ − 1 ≤ t + t² and e^φ₂ sinh φ₁ ≤ φ₁ (1 + 2t).
 double shape_share(const Pose& pose, const Slopes& lobe, double mean_square) {
     const double stretch = 1.0 / (1.0 - pose.part);
-    const double first = (std::hypot(4.0 * stretch, lobe.turned) + lobe.first) * pose.part;
+    const double first = (std::sqrt(16.0 * stretch * stretch + lobe.turned * lobe.turned) + lobe.first) * pose.part;
     const double second = 0.5 * (4.0 * stretch * stretch + lobe.second) * pose.part * pose.part;
     const double t = 0.5 * first * first + second;
     if (!(t < 1.0)) return unbounded;
@@ -174,7 +194,7 @@ struct Directions {
     glm::dvec3 to_points{0.0}; // to the middle of their bounds [m]
     double middle_m = 0.0;     // its length
     double near_m = 0.0;       // the least distance
-    double spread_rad = 0.0;   // of the points about the middle
+    Angle spread;              // of the points about the middle
     double part = unbounded;   // ρ
 };
 
@@ -188,7 +208,7 @@ std::optional<Directions> directions_to(const LitLight& light, const SampleBound
     found.near_m = glm::length(center - glm::clamp(center, points.low, points.high)) * (1.0 - room);
     found.part = light.reach.body_radius / found.near_m * (1.0 + room);
     if (!(found.part < farthest_part)) return std::nullopt;
-    found.spread_rad = std::asin(points.radius / found.middle_m);
+    found.spread = Angle::of_sine(points.radius / found.middle_m);
     return found;
 }
 
@@ -202,9 +222,9 @@ const WebVariation* flat_web(const LitLight& light) {
 
 WebVariation::Bounds web_towards(const LitLight& light, const WebVariation& variation, const Directions& to) {
     const glm::dvec3 axis = light.light.emission->luminaire.to_world(variation.axis());
-    const double angle = std::acos(std::clamp(glm::dot(axis, to.to_points) / to.middle_m, -1.0, 1.0));
-    const double more = to.spread_rad + room;
-    return variation.over(of_range(angle + more), of_range(angle - more));
+    const Angle angle = Angle::of_cosine(glm::dot(axis, to.to_points) / to.middle_m);
+    const Angle more = to.spread + Angle::of_sine(room);
+    return variation.over((angle + more).cosine, (angle - more).cosine);
 }
 
 std::optional<Pose> pose_of(const LitLight& light, const SampleBounds& points, const Directions& to) {
@@ -221,10 +241,10 @@ std::optional<Pose> pose_of(const LitLight& light, const SampleBounds& points, c
         pose.most_cosine = std::min(1.0, (height_m - points.least_height) / to.near_m + room);
         pose.tilt = std::min(1.0, glm::length(glm::cross(points.normal, light.light.frame.z)) + room);
     } else {
-        const double angle = std::acos(std::clamp(-glm::dot(points.normal, to.to_points) / to.middle_m, -1.0, 1.0));
-        const double more = to.spread_rad + std::asin(points.spread_sin) + room;
-        pose.least_cosine = of_range(angle + more) - room;
-        pose.most_cosine = of_range(angle - more);
+        const Angle angle = Angle::of_cosine(-glm::dot(points.normal, to.to_points) / to.middle_m);
+        const Angle more = to.spread + Angle::of_sine(points.spread_sin) + Angle::of_sine(room);
+        pose.least_cosine = (angle + more).cosine - room;
+        pose.most_cosine = (angle - more).cosine;
     }
     if (!(pose.least_cosine > pose.part)) return std::nullopt;
     return pose;
@@ -259,13 +279,12 @@ ViewBounds::ViewBounds(const SurfaceSamples& samples, std::size_t first, std::si
     for (std::size_t i = first; i < first + count; ++i)
         sum += samples.view_of(i);
     const double length = glm::length(sum);
-    angle_rad = std::numbers::pi;
     if (!(length > 0.0)) return;
     axis = sum / length;
     double least = 1.0;
     for (std::size_t i = first; i < first + count; ++i)
         least = std::min(least, glm::dot(axis, samples.view_of(i)));
-    angle_rad = std::acos(std::clamp(least - room, -1.0, 1.0));
+    cosine = std::max(least - room, -1.0);
 }
 
 bool is_web_dark(const LitLight& light, const SampleBounds& points) {
@@ -287,10 +306,11 @@ PointForm point_form(const LitLight& light, const SampleBounds& points, const Vi
     const double mean_square = std::visit(MeanSquare(), light.light.shape);
     double shape = 0.0;
     if (lobe.has_lobe || lobe.linear_roughness >= 0.0) {
-        const double between = std::acos(std::clamp(-glm::dot(to->to_points, views.axis) / to->middle_m, -1.0, 1.0));
-        const double spread = views.angle_rad + to->spread_rad + 1.0013 * pose.part + room;
-        pose.least_half = of_range(0.5 * std::min(between + spread, std::numbers::pi));
-        pose.most_half = of_range(0.5 * std::max(between - spread, 0.0));
+        const Angle between = Angle::of_cosine(-glm::dot(to->to_points, views.axis) / to->middle_m);
+        const Angle of_places = Angle::of_sine(1.0013 * pose.part + room);
+        const Angle spread = Angle::of_cosine(views.cosine) + to->spread + of_places;
+        pose.least_half = (between + spread).cosine_of_half();
+        pose.most_half = (between - spread).cosine_of_half();
         constexpr double least_half = 0.01; // against the light, κ has no bound
         if (!(pose.least_half > least_half)) return {};
         // The cosines of all places of the light, too.

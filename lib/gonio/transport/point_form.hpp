@@ -38,8 +38,8 @@ struct LobeVariation {
 struct ViewBounds {
     ViewBounds(const SurfaceSamples& samples, std::size_t first, std::size_t count);
 
-    glm::dvec3 axis{0.0, 0.0, 1.0}; // unit; all views are within the angle of it
-    double angle_rad = 0.0;
+    glm::dvec3 axis{0.0, 0.0, 1.0}; // unit
+    double cosine = -1.0;           // of the angle about it that all views are within
 };
 
 // At each point, let V(I) be the light that a point with the intensity I [cd] gives; it is proportional to I. The
