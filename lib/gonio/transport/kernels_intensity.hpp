@@ -77,11 +77,20 @@ struct ImageConstants {
     float slope_y = 1.0F;
 };
 
+// The faces of a luminous body.
+struct BodyFaces {
+    const float* normal[3] = {}; // of each flat face, times its area [m²]
+    std::size_t count = 0;
+    float round_m2 = 0.0F; // the projected area of all spheres
+};
+
 struct IntensityKernels {
     simd::InstructionSet set;
     void (*lobe)(const Points&, const LightFrame&, const LobeConstants&, float* cd);
     void (*web)(const Points&, const LightFrame&, const WebConstants&, float* cd);
     void (*image)(const Points&, const LightFrame&, const ImageConstants&, float* cd); // 0 outside of the image
+    // Divides by the projected area towards directions of any length, times `side`; 0 where there is none.
+    void (*per_projected_area)(const Points& directions, float side, const BodyFaces&, float* cd);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

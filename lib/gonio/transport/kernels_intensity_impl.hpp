@@ -261,6 +261,23 @@ void multiply_image(const Points& points, const LightFrame& frame, const ImageCo
     });
 }
 
+template<class S>
+void divide_by_projected_area(const Points& directions, float side, const BodyFaces& faces, float* cd) {
+    simd::for_each_packet<simd::Packet<S>>(directions.count, [&](const simd::Packet<S>& packet) {
+        const vec3<S> d = vec3<S>{packet.load(directions.position[0]), packet.load(directions.position[1]),
+                                  packet.load(directions.position[2])} *
+                          S(side);
+        const S length = simd::sqrt(dot(d, d));
+        S projected = S(faces.round_m2) * length;
+        for (std::size_t i = 0; i < faces.count; ++i) {
+            const vec3<S> normal{S(faces.normal[0][i]), S(faces.normal[1][i]), S(faces.normal[2][i])};
+            projected = projected + simd::max(dot(normal, d), S(0));
+        }
+        const auto is_lit = projected > S(0);
+        packet.store(simd::select(is_lit, packet.load(cd) * length / simd::select(is_lit, projected, S(1)), S(0)), cd);
+    });
+}
+
 extern const IntensityKernels kernels_intensity_scalar;
 extern const IntensityKernels kernels_intensity_sse2;
 extern const IntensityKernels kernels_intensity_avx2;

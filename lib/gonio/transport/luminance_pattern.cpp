@@ -225,6 +225,7 @@ LuminancePattern::LuminancePattern(const Light& light, LuminanceTables& tables, 
     std::shared_ptr<const WebVariation>& variation = tables.variations[&web];
     if (variation == nullptr) variation = std::make_shared<const WebVariation>(web);
     variation_ = variation;
+    if (light.emission != nullptr) add_faces(*light.emission);
     if (!is_flat(light.shape)) {
         node_rad_ = degrees(std::clamp(web_deg, 2.0, 10.0)).value;
         return;
@@ -346,6 +347,18 @@ void LuminancePattern::by_directions(const transport::Receivers& receivers, cons
         share[i] = weights[i] > 0.0 ? static_cast<float>(sums[i] / weights[i]) : 0.0F;
 }
 
+void LuminancePattern::add_faces(const FaceEmission& emission) {
+    for (const LuminousFace& face : emission.body->faces()) {
+        if (!face.is_flat) {
+            round_m2_ += static_cast<float>(0.25 * face.area_m2);
+            continue;
+        }
+        const glm::dvec3 normal = face.area_m2 * emission.luminaire.to_world(face.normal);
+        for (int axis = 0; axis < 3; ++axis)
+            face_normals_.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(normal[axis]));
+    }
+}
+
 void LuminancePattern::towards_points(const transport::Points& points, double side,
                                       const transport::IntensityKernels& kernels, float* share) const {
     const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
@@ -356,31 +369,10 @@ void LuminancePattern::towards_points(const transport::Points& points, double si
     std::fill(share, share + points.count, 1.0F);
     kernels.web(points, axes, web_->constants(light_.web_scale), share);
     if (light_.emission == nullptr) return;
-    constexpr std::size_t most = 64;
-    std::array<float, most> distance{};
-    std::array<float, most> projected{}; // times the distance
-    for (std::size_t first = 0; first < points.count; first += most) {
-        const std::size_t count = std::min(points.count - first, most);
-        const float* const x = points.position[0] + first;
-        const float* const y = points.position[1] + first;
-        const float* const z = points.position[2] + first;
-        for (std::size_t i = 0; i < count; ++i)
-            distance[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-        std::fill_n(projected.begin(), count, 0.0F);
-        for (const LuminousFace& face : light_.emission->body->faces()) {
-            const auto area_m2 = static_cast<float>(face.area_m2);
-            const glm::vec3 normal(side * face.area_m2 * frame.to_world(face.normal));
-            for (std::size_t i = 0; i < count && face.is_flat; ++i) {
-                const float towards = normal.x * x[i] + normal.y * y[i] + normal.z * z[i];
-                projected[i] += towards > 0.0F ? towards : 0.0F;
-            }
-            for (std::size_t i = 0; i < count && !face.is_flat; ++i)
-                projected[i] += 0.25F * area_m2 * distance[i];
-        }
-        float* const shares = share + first;
-        for (std::size_t i = 0; i < count; ++i)
-            shares[i] = projected[i] > 0.0F ? shares[i] * distance[i] / projected[i] : 0.0F;
-    }
+    const transport::BodyFaces faces{{face_normals_[0].data(), face_normals_[1].data(), face_normals_[2].data()},
+                                     face_normals_[0].size(),
+                                     round_m2_};
+    kernels.per_projected_area(points, static_cast<float>(side), faces, share);
 }
 
 void LuminancePattern::candela(const transport::Points& points, const glm::dvec3& anchor,

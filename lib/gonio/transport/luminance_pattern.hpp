@@ -15,6 +15,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,6 +87,8 @@ private:
 
     void replace_far(const transport::Receivers& receivers, const glm::dvec3& anchor, float* share) const;
 
+    void add_faces(const FaceEmission& emission);
+
     // Factors on Light::luminance towards points, relative to its centre, of lights without an image. `side`: −1 for
     // points as far on the other side.
     void towards_points(const transport::Points& points, double side, const transport::IntensityKernels& kernels,
@@ -107,6 +110,9 @@ private:
     std::shared_ptr<const ImagePattern> image_;     // of rectangles with an image
     std::shared_ptr<const WebVariation> variation_; // of web_
     double node_rad_ = 0.0;                         // of these, the angle between directions
+    // Of the luminous body: transport::BodyFaces.
+    std::array<std::vector<float>, 3> face_normals_;
+    float round_m2_ = 0.0F;
 };
 
 } // namespace gonio::detail

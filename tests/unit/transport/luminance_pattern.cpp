@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -209,6 +210,112 @@ TEST(LuminancePattern, FromTheCentreIsWithinItsBoundOfQuadrature) {
         }
     }
     EXPECT_GT(within_hundredth, lit / 10); // the bounds are of use, even for these steep webs
+}
+
+// Faces of several luminaires, and lights behind masks.
+std::vector<Light> lights_by_direction() {
+    std::vector<Light> lights;
+    for (const char* const opening :
+         {"rect:w=60cm,h=30cm", "disk:r=20cm", "box:w=40cm,h=30cm,d=10cm", "sphere:d=20cm"}) {
+        const Light light = test::luminaire("wall-washer", opening);
+        lights.insert(lights.end(), light.parts->begin(), light.parts->end());
+    }
+    lights.push_back(masked("disk:r=15cm", test::authored_web("cosine:power=3,up=0.5")));
+    lights.push_back(masked("tube:r=2cm,l=60cm", test::authored_web("cosine:power=3,up=0.5")));
+    return lights;
+}
+
+TEST(LuminancePattern, OfDirectionsIsThatOfTheLight) {
+    constexpr std::size_t count = 101;
+    for (const Light& light : lights_by_direction()) {
+        detail::LuminanceTables tables;
+        detail::WebTables webs;
+        const detail::LuminancePattern pattern(light, tables, webs);
+        test::Numbers numbers(4);
+        std::array<std::vector<float>, 3> directions;
+        std::vector<double> expected;
+        double greatest = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 direction = numbers.direction();
+            for (int axis = 0; axis < 3; ++axis)
+                directions.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(direction[axis]));
+            expected.push_back(light.luminance_share(-direction));
+            greatest = std::max(greatest, expected.back());
+        }
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            std::vector<float> share(count, -1.0F);
+            pattern.towards({1.0, 2.0, 3.0},
+                            {{directions[0].data(), directions[1].data(), directions[2].data()}, count},
+                            transport::intensity_kernels(set), share.data());
+            // Angles in float, on a steep web.
+            for (std::size_t i = 0; i < count; ++i)
+                EXPECT_NEAR(share[i], expected[i], 1e-4 * expected[i] + 1e-6 * greatest)
+                    << light.name << ' ' << simd::to_text(set) << ' ' << i;
+        }
+    }
+}
+
+// A lobe without a width shows the luminance from where the mirrored view meets the light, or from its nearest edge; a
+// wide one the mean.
+TEST(LuminancePattern, OfLobesIsThatOfTheMirroredViewOrTheMean) {
+    constexpr std::size_t count = 67;
+    for (const char* const opening : {"rect:w=60cm,h=30cm", "ellipse:w=60cm,h=20cm"}) {
+        const Light light = test::luminaire("cosine:power=4", opening);
+        const Light& face = light.parts->front();
+        detail::LuminanceTables tables;
+        detail::WebTables webs;
+        const detail::LuminancePattern pattern(face, tables, webs);
+        test::Numbers numbers(5);
+        std::array<std::vector<float>, 9> axes;
+        std::vector<double> expected;
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 position(numbers.between(-1.0, 1.0), numbers.between(-1.0, 1.0),
+                                      numbers.between(-1.5, -0.5));
+            const glm::dvec3 normal(0.0, 0.0, 1.0);
+            const glm::dvec3 view =
+                glm::normalize(glm::dvec3(numbers.between(-0.5, 0.5), numbers.between(-0.5, 0.5), 1.0));
+            const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
+            const glm::dvec3 met = position - position.z / mirrored.z * mirrored;
+            // The frame of the face may be turned about Z.
+            const glm::dvec3 local = face.frame.to_local(met);
+            glm::dvec2 at(local);
+            if (const auto* const rect = std::get_if<RectShape>(&face.shape)) {
+                const glm::dvec2 half(0.5 * rect->width.value, 0.5 * rect->height.value);
+                at = glm::clamp(at, -half, half);
+            } else {
+                const auto& ellipse = std::get<EllipseShape>(face.shape);
+                const glm::dvec2 half(0.5 * ellipse.width.value, 0.5 * ellipse.height.value);
+                at /= std::max(glm::length(at / half), 1.0);
+            }
+            const glm::dvec3 from = at.x * face.frame.x + at.y * face.frame.y;
+            expected.push_back(face.luminance_share(position - from));
+            const std::array<glm::dvec3, 3> vectors{position, normal, view};
+            for (std::size_t k = 0; k < axes.size(); ++k)
+                axes.at(k).push_back(static_cast<float>(vectors.at(k / 3)[static_cast<int>(k % 3)]));
+        }
+        shading::Surfaces surfaces;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            surfaces.position[axis] = axes.at(axis).data();
+            surfaces.normal[axis] = axes.at(3 + axis).data();
+            surfaces.view[axis] = axes.at(6 + axis).data();
+        }
+        surfaces.count = count;
+        const std::vector<float> mean(count, 0.5F);
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            const auto along = [&](double alpha) {
+                std::vector<float> share;
+                pattern.along_lobes(surfaces, glm::dvec3(0.0), alpha, transport::luminance_kernels(set),
+                                    transport::intensity_kernels(set), mean, share);
+                return share;
+            };
+            const std::vector<float> narrow = along(1e-6);
+            const std::vector<float> wide = along(1e6);
+            for (std::size_t i = 0; i < count; ++i) {
+                EXPECT_NEAR(narrow[i], expected[i], 1e-4 * expected[i]) << opening << ' ' << simd::to_text(set) << i;
+                EXPECT_NEAR(wide[i], 0.5, 1e-6) << opening << ' ' << simd::to_text(set) << i;
+            }
+        }
+    }
 }
 
 TEST(LuminancePattern, OfATinyLightIsThatOfOneDirection) {
