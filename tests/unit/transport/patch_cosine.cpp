@@ -11,7 +11,10 @@ namespace {
 
 glm::dvec3 random_direction(std::mt19937_64& random) {
     std::normal_distribution<double> number;
-    return glm::normalize(glm::dvec3(number(random), number(random), number(random)));
+    glm::dvec3 way;
+    for (int axis = 0; axis < 3; ++axis) // arguments have no order
+        way[axis] = number(random);
+    return glm::normalize(way);
 }
 
 Frame random_frame(std::mt19937_64& random) {
