@@ -568,8 +568,8 @@ TEST(Stages, TheRoomReceivesTheFluxOfEveryLight) {
 
 // A web bends at every angle of its table, so many cells are needed. Rotated, so that no bend runs along a wall.
 TEST(Stages, TheRoomReceivesTheFluxOfEveryWeb) {
-    constexpr std::array profiles{"street", "accent",  "bare-tube", "batwing", "downlight",
-                                  "flood",  "pendant", "wall-washer"};
+    constexpr std::array profiles{"street",    "accent", "bare-tube", "batwing",
+                                  "downlight", "flood",  "pendant",   "wall-washer"};
     for (const char* name : test::scaled(profiles)) {
         LightDescription description;
         description.shape = ProfileShape{std::string(test::source_folder) + "/profiles/" + name + ".ies", nullptr};
