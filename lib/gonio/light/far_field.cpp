@@ -73,8 +73,7 @@ public:
         for (const LuminousFace& face : body.faces()) {
             std::vector<Element> elements;
             std::visit(ElementsOf{face, elements}, face.shape);
-            faces_.push_back(
-                {face.normal, face.frame.origin, face.is_flat, all_.size(), all_.size() + elements.size()});
+            faces_.push_back({&face, all_.size(), all_.size() + elements.size()});
             all_.insert(all_.end(), elements.begin(), elements.end());
         }
         for (const Element& element : all_)
@@ -91,9 +90,10 @@ public:
         std::size_t count = 0;
         for (const Face& face : faces_) {
             // All elements of a flat face are as far in front of the receiver or behind it, but for rounding.
-            const double in_front_m = glm::dot(distance_m * direction - face.origin, face.normal);
-            if (face.is_flat && in_front_m < -1e-9 * size_m_) continue;
-            const bool is_surely_lit = face.is_flat && in_front_m > 1e-9 * size_m_;
+            const bool is_flat = face.of->is_flat;
+            const double in_front_m = glm::dot(distance_m * direction - face.of->frame.origin, face.of->normal);
+            if (is_flat && in_front_m < -1e-9 * size_m_) continue;
+            const bool is_surely_lit = is_flat && in_front_m > 1e-9 * size_m_;
             for (std::size_t i = face.first; i < face.end; ++i) {
                 const Element& element = all_[i];
                 const glm::dvec3 away = distance_m * direction - element.position;
@@ -123,9 +123,7 @@ public:
 
 private:
     struct Face {
-        glm::dvec3 normal;
-        glm::dvec3 origin;
-        bool is_flat;
+        const LuminousFace* of;
         std::size_t first; // of its elements
         std::size_t end;
     };

@@ -25,11 +25,19 @@ void projected_areas(const LuminousBody& body, std::span<const double> x, std::s
     }
 }
 
+const Web* luminance_web(const Light& light) {
+    return light.emission != nullptr ? light.emission->web.get() : mask_of(light.shape).web;
+}
+
+const Frame& luminance_frame(const Light& light) {
+    return light.emission != nullptr ? light.emission->luminaire : light.frame;
+}
+
 LuminanceShares::LuminanceShares(const Light& light)
     : body_(light.emission != nullptr ? light.emission->body.get() : nullptr),
       scale_(light.web_scale),
-      frame_(light.emission != nullptr ? light.emission->luminaire : light.frame),
-      web_(light.emission != nullptr ? *light.emission->web : *mask_of(light.shape).web) {}
+      frame_(luminance_frame(light)),
+      web_(*luminance_web(light)) {}
 
 void LuminanceShares::along(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                             std::span<double> to) {

@@ -1,5 +1,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/luminaire.hpp>
+#include <gonio/light/luminances.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
@@ -127,8 +128,8 @@ std::vector<double> plane_azimuths(const Web& mask) {
 // Not if the cells would take more than half of the evaluations, nor for a rough goal, which a few cells across the
 // grid reach sooner.
 SmoothWay way_of(const Light& light, const LightRegion& region, Vec normal, const ReferenceGoal& goal) {
-    const Web* const mask = light.emission != nullptr ? light.emission->web.get() : mask_of(light.shape).web;
-    const Frame& frame = light.emission != nullptr ? light.emission->luminaire : light.frame;
+    const Web* const mask = luminance_web(light);
+    const Frame& frame = luminance_frame(light);
     SmoothWay way{smooth(region, normal), {}};
     constexpr double rough = 1e-5;
     if (mask == nullptr || mask->photometry() != Photometry::c || goal.relative_error > rough) return way;

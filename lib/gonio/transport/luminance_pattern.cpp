@@ -28,8 +28,14 @@ void copy(const glm::dvec3& from, float (&to)[3]) {
         to[i] = static_cast<float>(from[i]);
 }
 
-const Web& web_of(const Light& light) {
-    return light.emission != nullptr ? *light.emission->web : *mask_of(light.shape).web;
+// `side`: −1 turns all directions round.
+transport::LightFrame axes_of(const Frame& frame, const glm::dvec3& origin, double side = 1.0) {
+    transport::LightFrame axes;
+    copy(origin, axes.origin);
+    copy(side * frame.x, axes.x);
+    copy(side * frame.y, axes.y);
+    copy(side * frame.z, axes.z);
+    return axes;
 }
 
 // The typical step of the web's angles [deg].
@@ -217,7 +223,7 @@ LuminancePattern::LuminancePattern(const Light& light, LuminanceTables& tables, 
         image_ = made;
         return;
     }
-    const Web& web = web_of(light);
+    const Web& web = *luminance_web(light);
     const double web_deg = web_step_deg(web);
     std::shared_ptr<const WebTable>& table = webs[&web];
     if (table == nullptr) table = std::make_shared<const WebTable>(web);
@@ -325,18 +331,13 @@ void LuminancePattern::by_directions(const transport::Receivers& receivers, cons
         else
             found.add(to_center, 1.0);
     }
-    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
     // A sphere has the same projected area in all directions.
     const double scale = light_.emission != nullptr
                              ? light_.web_scale / light_.emission->body->projected_area_m2({0.0, 0.0, -1.0})
                              : light_.web_scale;
-    transport::LightFrame axes;
-    copy(frame.x, axes.x);
-    copy(frame.y, axes.y);
-    copy(frame.z, axes.z);
     std::vector<float> values(found.weight.size(), 1.0F);
-    kernels.web({{found.towards[0].data(), found.towards[1].data(), found.towards[2].data()}, values.size()}, axes,
-                web_->constants(scale), values.data());
+    kernels.web({{found.towards[0].data(), found.towards[1].data(), found.towards[2].data()}, values.size()},
+                axes_of(luminance_frame(light_), glm::dvec3(0.0)), web_->constants(scale), values.data());
     std::vector<double> sums(receivers.count, 0.0);
     std::vector<double> weights(receivers.count, 0.0);
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -361,13 +362,9 @@ void LuminancePattern::add_faces(const FaceEmission& emission) {
 
 void LuminancePattern::towards_points(const transport::Points& points, double side,
                                       const transport::IntensityKernels& kernels, float* share) const {
-    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
-    transport::LightFrame axes;
-    copy(side * frame.x, axes.x);
-    copy(side * frame.y, axes.y);
-    copy(side * frame.z, axes.z);
     std::fill(share, share + points.count, 1.0F);
-    kernels.web(points, axes, web_->constants(light_.web_scale), share);
+    kernels.web(points, axes_of(luminance_frame(light_), glm::dvec3(0.0), side), web_->constants(light_.web_scale),
+                share);
     if (light_.emission == nullptr) return;
     const transport::BodyFaces faces{{face_normals_[0].data(), face_normals_[1].data(), face_normals_[2].data()},
                                      face_normals_[0].size(),
@@ -377,14 +374,9 @@ void LuminancePattern::towards_points(const transport::Points& points, double si
 
 void LuminancePattern::candela(const transport::Points& points, const glm::dvec3& anchor,
                                const transport::IntensityKernels& intensity, float* cd) const {
-    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
-    transport::LightFrame axes;
-    copy(light_.frame.origin - anchor, axes.origin);
-    copy(frame.x, axes.x);
-    copy(frame.y, axes.y);
-    copy(frame.z, axes.z);
     std::fill(cd, cd + points.count, 1.0F);
-    intensity.web(points, axes, web_->constants(light_.web_scale), cd);
+    intensity.web(points, axes_of(luminance_frame(light_), light_.frame.origin - anchor),
+                  web_->constants(light_.web_scale), cd);
 }
 
 // L(x) is the luminance by place, x a place of the light within its radius r of the centre; ω the direction from the
@@ -422,7 +414,7 @@ void LuminancePattern::from_center(const transport::Receivers& receivers, const 
     error.assign(count, std::numeric_limits<float>::infinity());
     share.assign(count, 1.0F);
     if (image_ != nullptr) return;
-    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
+    const Frame& frame = luminance_frame(light_);
     candela({{receivers.position[0], receivers.position[1], receivers.position[2]}, count}, anchor, intensity,
             share.data());
     const double radius_m =

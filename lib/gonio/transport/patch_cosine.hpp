@@ -43,7 +43,7 @@ public:
         const bool is_aside = a_cos_m * a_cos_m <= a2 * cos_half_ * cos_half_;
         if (std::min(at_low, at_high) >= 0.0 && (is_aside || a_cos_m >= 0.0)) return a_cos_m * of_middle_ + b;
         if (std::max(at_low, at_high) <= 0.0 && (is_aside || a_cos_m <= 0.0)) return 0.0;
-        return half_turn_ > 0.0 ? of_lit_part(std::sqrt(a2), std::atan2(a_sin_m, a_cos_m), b) : 0.0;
+        return of_lit_part(std::sqrt(a2), std::atan2(a_sin_m, a_cos_m), b); // never of a flat patch
     }
 
 private:

@@ -232,7 +232,6 @@ void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& sampl
         lx_[i] *= luminance_nt * (light.pattern ? intensity_[i] : 1.0F);
 }
 
-// The shares of the luminance for `shade`.
 void SampleShader::find_luminance(const LitLight& light, const shading::Surfaces& surfaces,
                                   const SurfaceSamples& samples, shading::LightConstants& constants) {
     light.luminance->evaluate(receivers(surfaces), samples.anchor, scene_.luminance, scene_.intensity, share_);

@@ -50,7 +50,7 @@ public:
     std::size_t not_converged() const { return not_converged_; }
 
 private:
-    // Multiplies the results of the kernels by the light's mean luminance, in the diffuse and the glossy part.
+    // The shares of the luminance for `shade`, of the lobes and of all else.
     void find_luminance(const LitLight& light, const shading::Surfaces& surfaces, const SurfaceSamples& samples,
                         shading::LightConstants& constants);
     void integrate(const LitLight& light, const SurfaceSamples& samples, std::size_t first, const float* weight);

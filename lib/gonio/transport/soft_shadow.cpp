@@ -20,7 +20,6 @@ using transport::ShadowShares;
 SoftShadow::SoftShadow(const LitScene& scene)
     : scene_(scene),
       reflectance_(shading::reflectance_kernels(scene.options.instruction_set)),
-      intensity_(transport::intensity_kernels(scene.options.instruction_set)),
       kernels_(transport::shadow_kernels(scene.options.instruction_set)),
       plain_kernels_(transport::shadow_kernels(simd::InstructionSet::scalar)) {}
 
@@ -103,7 +102,7 @@ void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
     if (!light_->luminance) return;
     OfCells luminance;
     light_->luminance->towards(point, {{towards_[0].data(), towards_[1].data(), towards_[2].data()}, luminance.size()},
-                               intensity_, luminance.data());
+                               scene_.intensity, luminance.data());
     for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell)
         light_of_[cell] *= luminance[cell];
 }

@@ -97,7 +97,6 @@ private:
 
     const LitScene& scene_;
     const shading::ReflectanceKernels& reflectance_;
-    const transport::IntensityKernels& intensity_;
     const transport::ShadowKernels& kernels_;
     const transport::ShadowKernels& plain_kernels_; // for single points
     const LitLight* light_ = nullptr;

@@ -1,6 +1,9 @@
-// Random numbers, points and directions from a seed, the same with every standard library.
+// Random numbers, points, directions and frames from a seed, the same with every standard library.
 #pragma once
 
+#include <gonio/base/frame.hpp>
+
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
@@ -19,6 +22,11 @@ public:
         const double z = between(-1.0, 1.0);
         const double phi = between(0.0, 2.0 * std::numbers::pi);
         return {std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z};
+    }
+    Frame frame(const glm::dvec3& origin = glm::dvec3(0.0)) {
+        const glm::dvec3 z = direction();
+        const glm::dvec3 x = glm::normalize(glm::cross(z, direction()));
+        return {origin, x, glm::cross(z, x), z};
     }
 
 private:

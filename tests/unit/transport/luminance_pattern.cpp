@@ -72,6 +72,15 @@ TEST(LuminancePattern, IsTheSameWithEveryInstructionSet) {
     }
 }
 
+// A pattern with tables of its own.
+struct Made {
+    explicit Made(const Light& light) : pattern(light, tables, webs) {}
+
+    detail::LuminanceTables tables;
+    detail::WebTables webs;
+    detail::LuminancePattern pattern;
+};
+
 // Receivers as arrays of floats.
 class Axes {
 public:
@@ -95,12 +104,10 @@ private:
 // Illuminance over that of the same light without its mask.
 std::vector<double> shares_of(const Light& light, const std::vector<Receiver>& receivers) {
     const Axes axes(receivers);
-    detail::LuminanceTables tables;
-    detail::WebTables webs;
-    const detail::LuminancePattern pattern(light, tables, webs);
+    const Made made(light);
     std::vector<float> share;
-    pattern.evaluate(axes.receivers(), glm::dvec3(0.0), transport::luminance_kernels(simd::InstructionSet::scalar),
-                     transport::intensity_kernels(simd::InstructionSet::scalar), share);
+    made.pattern.evaluate(axes.receivers(), glm::dvec3(0.0), transport::luminance_kernels(simd::InstructionSet::scalar),
+                          transport::intensity_kernels(simd::InstructionSet::scalar), share);
     return {share.begin(), share.end()};
 }
 
@@ -152,13 +159,11 @@ struct FromCenter {
 };
 FromCenter from_center(const Light& light, const std::vector<Receiver>& receivers) {
     const Axes axes(receivers);
-    detail::LuminanceTables tables;
-    detail::WebTables webs;
-    const detail::LuminancePattern pattern(light, tables, webs);
-    EXPECT_TRUE(pattern.has_center_form());
+    const Made made(light);
+    EXPECT_TRUE(made.pattern.has_center_form());
     FromCenter found;
-    pattern.from_center(axes.receivers(), glm::dvec3(0.0), std::nullopt,
-                        transport::intensity_kernels(simd::InstructionSet::scalar), found.share, found.error);
+    made.pattern.from_center(axes.receivers(), glm::dvec3(0.0), std::nullopt,
+                             transport::intensity_kernels(simd::InstructionSet::scalar), found.share, found.error);
     return found;
 }
 
@@ -228,9 +233,7 @@ std::vector<Light> lights_by_direction() {
 TEST(LuminancePattern, OfDirectionsIsThatOfTheLight) {
     constexpr std::size_t count = 101;
     for (const Light& light : lights_by_direction()) {
-        detail::LuminanceTables tables;
-        detail::WebTables webs;
-        const detail::LuminancePattern pattern(light, tables, webs);
+        const Made made(light);
         test::Numbers numbers(4);
         std::array<std::vector<float>, 3> directions;
         std::vector<double> expected;
@@ -244,9 +247,9 @@ TEST(LuminancePattern, OfDirectionsIsThatOfTheLight) {
         }
         for (const simd::InstructionSet set : simd::available_sets()) {
             std::vector<float> share(count, -1.0F);
-            pattern.towards({1.0, 2.0, 3.0},
-                            {{directions[0].data(), directions[1].data(), directions[2].data()}, count},
-                            transport::intensity_kernels(set), share.data());
+            made.pattern.towards({1.0, 2.0, 3.0},
+                                 {{directions[0].data(), directions[1].data(), directions[2].data()}, count},
+                                 transport::intensity_kernels(set), share.data());
             // Angles in float, on a steep web.
             for (std::size_t i = 0; i < count; ++i)
                 EXPECT_NEAR(share[i], expected[i], 1e-4 * expected[i] + 1e-6 * greatest)
@@ -262,9 +265,7 @@ TEST(LuminancePattern, OfLobesIsThatOfTheMirroredViewOrTheMean) {
     for (const char* const opening : {"rect:w=60cm,h=30cm", "ellipse:w=60cm,h=20cm"}) {
         const Light light = test::luminaire("cosine:power=4", opening);
         const Light& face = light.parts->front();
-        detail::LuminanceTables tables;
-        detail::WebTables webs;
-        const detail::LuminancePattern pattern(face, tables, webs);
+        const Made made(face);
         test::Numbers numbers(5);
         std::array<std::vector<float>, 9> axes;
         std::vector<double> expected;
@@ -304,8 +305,8 @@ TEST(LuminancePattern, OfLobesIsThatOfTheMirroredViewOrTheMean) {
         for (const simd::InstructionSet set : simd::available_sets()) {
             const auto along = [&](double alpha) {
                 std::vector<float> share;
-                pattern.along_lobes(surfaces, glm::dvec3(0.0), alpha, transport::luminance_kernels(set),
-                                    transport::intensity_kernels(set), mean, share);
+                made.pattern.along_lobes(surfaces, glm::dvec3(0.0), alpha, transport::luminance_kernels(set),
+                                         transport::intensity_kernels(set), mean, share);
                 return share;
             };
             const std::vector<float> narrow = along(1e-6);

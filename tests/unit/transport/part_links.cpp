@@ -2,6 +2,8 @@
 #include <gonio/transport/form_factor.hpp>
 #include <gonio/transport/part_links.hpp>
 
+#include "../preview/numbers.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -10,27 +12,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <random>
 #include <vector>
 
 namespace gonio::detail {
 namespace {
 
 const glm::dvec3 up(0.0, 0.0, 1.0);
-
-glm::dvec3 random_direction(std::mt19937_64& random) {
-    std::normal_distribution<double> number;
-    glm::dvec3 way;
-    for (int axis = 0; axis < 3; ++axis) // arguments have no order
-        way[axis] = number(random);
-    return glm::normalize(way);
-}
-
-Frame random_frame(std::mt19937_64& random, const glm::dvec3& origin) {
-    const glm::dvec3 z = random_direction(random);
-    const glm::dvec3 x = glm::normalize(glm::cross(z, random_direction(random)));
-    return {origin, x, glm::cross(z, x), z};
-}
 
 // Of a rectangle in a place's frame, its half sides along x and y of the other.
 SeenPolygon seen_of(const glm::dvec3& middle, const Frame& frame, const glm::dvec2& half_m) {
@@ -62,27 +49,27 @@ Moments quadrature(const glm::dvec3& middle, const Frame& frame, const glm::dvec
 
 TEST(PartKernels, AreAsExactAsSumsOfAnglesAndTheSameInEverySet) {
     constexpr std::size_t count = 999;
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    const Frame frame = random_frame(random, glm::dvec3(0.0));
+    test::Numbers numbers(1);
+    const Frame frame = numbers.frame();
     std::array<std::vector<double>, 3> middle;
     std::array<std::vector<double>, 2> half_side;
     std::array<std::vector<double>, 2> at;
     std::array<std::vector<double>, 2> half;
     std::vector<double> factor;
     while (factor.size() < count) {
-        const glm::dvec2 half_m(std::pow(10.0, -4.0 * unit(random)), std::pow(10.0, -4.0 * unit(random)));
-        const glm::dvec3 to =
-            4.0 * glm::length(half_m) * std::pow(100.0, unit(random) * unit(random)) * random_direction(random);
+        const glm::dvec2 half_m{std::pow(10.0, numbers.between(-4.0, 0.0)), std::pow(10.0, numbers.between(-4.0, 0.0))};
+        const glm::dvec3 way = numbers.direction();
+        const double times = std::pow(100.0, numbers.between(0.0, 1.0) * numbers.between(0.0, 1.0));
+        const glm::dvec3 to = 4.0 * glm::length(half_m) * times * way;
         if (!(to.z > half_m.x * std::abs(frame.x.z) + half_m.y * std::abs(frame.y.z))) continue;
         for (int axis = 0; axis < 3; ++axis)
             middle.at(static_cast<std::size_t>(axis)).push_back(to[axis]);
         for (int side = 0; side < 2; ++side) {
             half_side.at(static_cast<std::size_t>(side)).push_back(half_m[side]);
-            at.at(static_cast<std::size_t>(side)).push_back(unit(random) - 0.5);
-            half.at(static_cast<std::size_t>(side)).push_back(0.5 * unit(random));
+            at.at(static_cast<std::size_t>(side)).push_back(numbers.between(-0.5, 0.5));
+            half.at(static_cast<std::size_t>(side)).push_back(numbers.between(0.0, 0.5));
         }
-        factor.push_back(unit(random));
+        factor.push_back(numbers.between(0.0, 1.0));
     }
     transport::FlatParts parts;
     for (int axis = 0; axis < 3; ++axis) {
@@ -119,16 +106,16 @@ TEST(PartKernels, AreAsExactAsSumsOfAnglesAndTheSameInEverySet) {
 
 // In parts, of patches that are near, far, on edge and cut by the horizon.
 TEST(PartLinks, AddUpToThePatch) {
-    std::mt19937_64 random(2);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    test::Numbers numbers(2);
     PartLinks links(simd::best_available());
     int several = 0;
     int cut = 0;
     for (int i = 0; i < 200; ++i) {
-        const Frame place = random_frame(random, random_direction(random));
-        const Frame chart = random_frame(random, glm::dvec3(0.0));
-        const glm::dvec2 sides_m(0.2 + unit(random), 0.2 + unit(random));
-        const glm::dvec3 middle = place.origin + (0.6 + 2.0 * unit(random)) * random_direction(random);
+        const Frame place = numbers.frame(numbers.direction());
+        const Frame chart = numbers.frame();
+        const glm::dvec2 sides_m{numbers.between(0.2, 1.2), numbers.between(0.2, 1.2)};
+        const glm::dvec3 way = numbers.direction();
+        const glm::dvec3 middle = place.origin + numbers.between(0.6, 2.6) * way;
         links.begin(place, chart, 4.0);
         links.add({middle, sides_m, 0.5}, 7, 3.0);
         links.find();

@@ -1,27 +1,14 @@
 #include <gonio/transport/patch_cosine.hpp>
 
+#include "../preview/numbers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace gonio::detail {
 namespace {
-
-glm::dvec3 random_direction(std::mt19937_64& random) {
-    std::normal_distribution<double> number;
-    glm::dvec3 way;
-    for (int axis = 0; axis < 3; ++axis) // arguments have no order
-        way[axis] = number(random);
-    return glm::normalize(way);
-}
-
-Frame random_frame(std::mt19937_64& random) {
-    const glm::dvec3 z = random_direction(random);
-    const glm::dvec3 x = glm::normalize(glm::cross(z, random_direction(random)));
-    return {glm::dvec3(0.0), x, glm::cross(z, x), z};
-}
 
 glm::dvec3 normal_at(const Frame& frame, double azimuth, double rise) {
     const double out = std::sqrt((1.0 - rise) * (1.0 + rise));
@@ -39,16 +26,15 @@ double quadrature(const Frame& frame, double azimuth, double rise, double half_t
 }
 
 TEST(PatchCosine, OfARoundPatchIsThatOfQuadrature) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    test::Numbers numbers(1);
     int dark = 0;
     int partly_lit = 0;
     for (int i = 0; i < 500; ++i) {
-        const Frame frame = random_frame(random);
-        const double azimuth = 7.0 * unit(random) - 3.5;
-        const double rise = i % 3 == 0 ? 0.0 : 2.0 * unit(random) - 1.0;
-        const double half_turn = 0.02 + 1.5 * unit(random) * unit(random);
-        const glm::dvec3 towards = random_direction(random);
+        const Frame frame = numbers.frame();
+        const double azimuth = numbers.between(-3.5, 3.5);
+        const double rise = i % 3 == 0 ? 0.0 : numbers.between(-1.0, 1.0);
+        const double half_turn = 0.02 + 1.5 * numbers.between(0.0, 1.0) * numbers.between(0.0, 1.0);
+        const glm::dvec3 towards = numbers.direction();
         const PatchCosine cosine(frame, normal_at(frame, azimuth, rise), half_turn);
         const double expected = quadrature(frame, azimuth, rise, half_turn, towards);
         EXPECT_NEAR(cosine.mean(towards), expected, 1e-6) << i;
@@ -82,10 +68,10 @@ TEST(PatchCosine, SeesWhatIsInTheMiddleAlone) {
 }
 
 TEST(PatchCosine, OfAFlatPatchIsThatOfItsNormal) {
-    std::mt19937_64 random(2);
+    test::Numbers numbers(2);
     for (int i = 0; i < 100; ++i) {
-        const glm::dvec3 normal = random_direction(random);
-        const glm::dvec3 towards = random_direction(random);
+        const glm::dvec3 normal = numbers.direction();
+        const glm::dvec3 towards = numbers.direction();
         EXPECT_EQ(PatchCosine(normal).mean(towards), std::max(glm::dot(normal, towards), 0.0));
     }
 }
