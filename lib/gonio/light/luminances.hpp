@@ -15,8 +15,8 @@ namespace gonio {
 void projected_areas(const LuminousBody& body, std::span<const double> x, std::span<const double> y,
                      std::span<const double> z, std::span<const double> length, std::span<double> to);
 
-// The web by whose directions a light's luminance is given, that of its luminaire or of its mask, or null; and the frame
-// of these directions.
+// The web by whose directions a light's luminance is given, that of its luminaire or of its mask, or null; and the
+// frame of these directions.
 const Web* luminance_web(const Light& light);
 const Frame& luminance_frame(const Light& light);
 
