@@ -334,10 +334,10 @@ std::string finer_profile(const MeasuredLight& light) {
     while (parts > 1 && parts * parts * web.planes_deg().size() * web.gammas_deg().size() > most_values)
         parts /= 2;
     if (parts == 1) return light.portable_ies;
-    Result<ResampledWeb> finer =
-        resampled_to_c(web, refined(web.planes_deg(), parts), refined(web.gammas_deg(), parts), web.stored_symmetry());
+    Result<Web> finer =
+        sampled_on_grid(web, refined(web.planes_deg(), parts), refined(web.gammas_deg(), parts), web.stored_symmetry());
     Result<MadeProfile> made =
-        finer ? to_profile(finer->web, light.header, ProfileTarget::portable) : Result<MadeProfile>(pass_on(finer));
+        finer ? to_profile(*finer, light.header, ProfileTarget::portable) : Result<MadeProfile>(pass_on(finer));
     return made ? write_profile(made->profile, ProfileTarget::portable) : light.portable_ies;
 }
 

@@ -26,7 +26,18 @@ std::string ascii(std::string_view text) {
 }
 
 std::string quoted(std::string_view text) {
-    return detail::Json(text).dump(-1, true);
+    const auto is_plain = [](char c) { return c == '\n' || (c >= 0x20 && c <= 0x7e); };
+    if (!std::all_of(text.begin(), text.end(), is_plain)) return detail::Json(text).dump(-1, true);
+    std::string literal = "\"";
+    literal.reserve(text.size() + 4);
+    for (const char c : text) {
+        if (c == '"' || c == '\\') literal += '\\';
+        if (c == '\n')
+            literal += "\\n";
+        else
+            literal += c;
+    }
+    return literal += '"';
 }
 
 std::string triple(const glm::dvec3& v, std::string_view separator) {

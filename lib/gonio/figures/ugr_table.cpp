@@ -1,12 +1,16 @@
+#include <gonio/base/frame.hpp>
 #include <gonio/figures/position_index.hpp>
 #include <gonio/figures/ugr_table.hpp>
 #include <gonio/figures/web_means.hpp>
 #include <gonio/light/projected_area.hpp>
 
 #include <fmt/format.h>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -84,45 +88,99 @@ private:
     std::array<double, 18> zones_lm_{};
 };
 
+// What the walls receive in the end, for each room and set of reflectances.
+using ToWalls = std::array<std::array<FluxTransfer::Sources, ugr_reflectances.size()>, ugr_rooms.size()>;
+
+ToWalls transfer_to_walls() {
+    ToWalls all;
+    for (std::size_t row = 0; row < ugr_rooms.size(); ++row)
+        for (std::size_t column = 0; column < ugr_reflectances.size(); ++column)
+            all[row][column] =
+                flux_transfer(ugr_rooms[row].across, ugr_rooms[row].along, ugr_reflectances[column]).walls_from;
+    return all;
+}
+
 // Luminance of the walls, where each of the room's luminaires has these lumens.
-double background_nt(const UgrRoom& room, const RoomReflectances& reflectances, const FirstFall& first,
-                     double spacing) {
-    const FluxTransfer transfer = flux_transfer(room.across, room.along, reflectances);
-    const double reflected_lm = first.floor_lm * transfer.walls_from.floor +
-                                first.walls_lm * (transfer.walls_from.walls - 1.0) +
-                                first.ceiling_lm * transfer.walls_from.ceiling;
+double background_nt(std::size_t row, std::size_t column, const FirstFall& first, double spacing) {
+    static const ToWalls to_walls = transfer_to_walls();
+    const FluxTransfer::Sources& from = to_walls[row][column];
+    const UgrRoom& room = ugr_rooms[row];
+    const double reflected_lm =
+        first.floor_lm * from.floor + first.walls_lm * (from.walls - 1.0) + first.ceiling_lm * from.ceiling;
     const double count = room.across * room.along / (spacing * spacing);
     const double area = 2.0 * (room.across + room.along);
     return std::max(reflected_lm, 0.0) * count / (pi * area);
 }
 
+// Where the luminaires of half of the largest room lie, as the eye sees them. All rooms have theirs on one lattice.
+class Lattice {
+public:
+    struct Place {
+        double aside_deg; // from the line of sight
+        double gamma_deg;
+        glm::dvec3 crosswise; // from the luminaire to the eye, in axes of which X points crosswise
+        glm::dvec3 endwise;
+        double weight; // 1/(d²p²); 0 outside the table of p
+    };
+
+    explicit Lattice(double spacing)
+        : spacing_(spacing),
+          columns_(static_cast<std::size_t>(std::lround(6.0 / spacing))),
+          rows_(static_cast<std::size_t>(std::lround(12.0 / spacing))) {
+        for (std::size_t i = 0; i < columns_; ++i)
+            for (std::size_t j = 0; j < rows_; ++j) {
+                const double t = (static_cast<double>(i) + 0.5) * spacing;
+                const double r = (static_cast<double>(j) + 0.5) * spacing;
+                const std::optional<double> index = table_position_index(t / r, 1.0 / r);
+                const double d = std::sqrt(r * r + t * t + 1.0);
+                places_.push_back({std::atan2(t, r) * degrees_per_radian,
+                                   std::atan(std::hypot(r, t)) * degrees_per_radian,
+                                   {r / d, t / d, -1.0 / d},
+                                   {t / d, r / d, -1.0 / d},
+                                   index ? 1.0 / (d * d * *index * *index) : 0.0});
+            }
+    }
+
+    [[nodiscard]] double spacing() const { return spacing_; }
+    [[nodiscard]] std::size_t columns() const { return columns_; } // across the line of sight
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+    [[nodiscard]] const Place& at(std::size_t column, std::size_t row) const { return places_[column * rows_ + row]; }
+
+private:
+    double spacing_;
+    std::size_t columns_;
+    std::size_t rows_;
+    std::vector<Place> places_;
+};
+
 // What the quarter of the web from crosswise to endwise shows: intensities over areas.
 class Glare {
 public:
     Glare(const Web& web, const Opening& opening, const UgrOptions& options)
-        : web_(web), opening_(opening), first_c_deg_(options.crosswise_c_deg) {
+        : web_(web),
+          opening_(opening),
+          first_c_deg_(options.crosswise_c_deg),
+          x_(direction_of({degrees(first_c_deg_), degrees(90.0)})) {
         if (options.interpolation == UgrInterpolation::luminance) luminances_ = luminances_of(web, opening);
     }
 
-    // L²A [cd²/m²] towards C from crosswise and γ; none if light comes from no area.
-    std::optional<double> operator()(double from_crosswise_deg, double gamma_deg) const {
-        const double c_deg = first_c_deg_ + from_crosswise_deg;
-        const double area_m2 = area(c_deg, gamma_deg);
-        const double value =
-            std::max(luminances_ ? luminances_->candela(c_deg, gamma_deg) : web_.candela(c_deg, gamma_deg), 0.0);
+    // L²A [cd²/m²] towards the eye; none if light comes from no area.
+    std::optional<double> operator()(const Lattice::Place& place, bool endwise) const {
+        const double c_deg = first_c_deg_ + (endwise ? 90.0 - place.aside_deg : place.aside_deg);
+        const glm::dvec3& to = endwise ? place.endwise : place.crosswise;
+        const double area_m2 =
+            projected_area_m2(opening_, {to.x * x_.x - to.y * x_.y, to.x * x_.y + to.y * x_.x, to.z});
+        const Web& looked_up = luminances_ ? *luminances_ : web_;
+        const double value = std::max(looked_up.candela(c_deg, place.gamma_deg), 0.0);
         if (value == 0.0) return 0.0;
         if (!(area_m2 > 0.0)) return std::nullopt;
         return luminances_ ? value * value * area_m2 : value * value / area_m2;
     }
 
 private:
-    double area(double c_deg, double gamma_deg) const {
-        return projected_area_m2(opening_, direction_of({degrees(c_deg), degrees(gamma_deg)}));
-    }
-
     // A web of luminances at the measured directions, of a round light also every 15° of C. Where an opening shows no
     // area, as a flat one at the horizon, it is as bright as at the γ before.
-    std::optional<Web> luminances_of(const Web& web, const Opening& opening) const {
+    static std::optional<Web> luminances_of(const Web& web, const Opening& opening) {
         if (web.photometry() != Photometry::c) return std::nullopt; // its directions are no C and γ
         const bool is_round = web.stored_symmetry() == Symmetry::axial;
         std::vector<double> planes_deg(web.planes_deg().begin(), web.planes_deg().end());
@@ -135,7 +193,8 @@ private:
         for (std::size_t plane = 0; plane < planes_deg.size(); ++plane) {
             double last = 0.0;
             for (std::size_t j = 0; j < web.gammas_deg().size(); ++j) {
-                const double area_m2 = area(planes_deg[plane], web.gammas_deg()[j]);
+                const double area_m2 = projected_area_m2(
+                    opening, direction_of({degrees(planes_deg[plane]), degrees(web.gammas_deg()[j])}));
                 if (area_m2 > 1e-9 * opening.largest_m() * opening.largest_m())
                     last = web.column(is_round ? 0 : plane)[j] / area_m2;
                 values.push_back(last);
@@ -149,33 +208,29 @@ private:
     const Web& web_;
     const Opening& opening_;
     double first_c_deg_;
+    glm::dvec3 x_; // crosswise
     std::optional<Web> luminances_;
 };
 
-// Σ L²ω/p² of the rooms' luminaires for one direction of view. All rooms have their luminaires on one lattice, so the
-// sum of a room is that of a rectangle of it.
+// Σ L²ω/p² of the rooms' luminaires for one direction of view: the sum of a room is that of a rectangle of the lattice.
 class GlareSums {
 public:
     // `endwise`: seen along the luminaire.
-    static Figure<GlareSums> of(const Glare& glare, double spacing, bool endwise) {
-        GlareSums sums(spacing);
-        for (std::size_t i = 0; i < sums.columns_; ++i) {
+    static Figure<GlareSums> of(const Glare& glare, const Lattice& lattice, bool endwise) {
+        GlareSums sums(lattice);
+        for (std::size_t i = 0; i < lattice.columns(); ++i) {
             double column = 0.0;
-            for (std::size_t j = 0; j < sums.rows_; ++j) {
-                const double t = (static_cast<double>(i) + 0.5) * spacing;
-                const double r = (static_cast<double>(j) + 0.5) * spacing;
-                if (const std::optional<double> index = table_position_index(t / r, 1.0 / r)) {
-                    const double aside_deg = std::atan2(t, r) * degrees_per_radian;
-                    const double c_deg = endwise ? 90.0 - aside_deg : aside_deg;
-                    const double gamma_deg = std::atan(std::hypot(r, t)) * degrees_per_radian;
-                    const std::optional<double> bright = glare(c_deg, gamma_deg);
+            for (std::size_t j = 0; j < lattice.rows(); ++j) {
+                const Lattice::Place& place = lattice.at(i, j);
+                if (place.weight > 0.0) {
+                    const std::optional<double> bright = glare(place, endwise);
                     if (!bright)
                         return no_figure(fmt::format("the luminous opening has no area towards gamma {:.1f}°, where "
                                                      "the luminaire shines",
-                                                     gamma_deg));
-                    column += *bright / ((r * r + t * t + 1.0) * *index * *index);
+                                                     place.gamma_deg));
+                    column += *bright * place.weight;
                 }
-                sums.until_[i * sums.rows_ + j] = column + (i > 0 ? sums.until_[(i - 1) * sums.rows_ + j] : 0.0);
+                sums.until_.push_back(column + (i > 0 ? sums.until_[(i - 1) * lattice.rows() + j] : 0.0));
             }
         }
         return sums;
@@ -183,45 +238,33 @@ public:
 
     // Of both halves of the room.
     double operator()(const UgrRoom& room) const {
-        const auto half = static_cast<std::size_t>(std::lround(0.5 * room.across / spacing_));
-        const auto along = static_cast<std::size_t>(std::lround(room.along / spacing_));
-        return 2.0 * until_[(half - 1) * rows_ + along - 1];
+        const auto half = static_cast<std::size_t>(std::lround(0.5 * room.across / lattice_.spacing()));
+        const auto along = static_cast<std::size_t>(std::lround(room.along / lattice_.spacing()));
+        return 2.0 * until_[(half - 1) * lattice_.rows() + along - 1];
     }
 
 private:
-    explicit GlareSums(double spacing)
-        : spacing_(spacing),
-          columns_(static_cast<std::size_t>(std::lround(6.0 / spacing))),
-          rows_(static_cast<std::size_t>(std::lround(12.0 / spacing))),
-          until_(columns_ * rows_) {}
+    explicit GlareSums(const Lattice& lattice) : lattice_(lattice) {}
 
-    double spacing_;
-    std::size_t columns_; // of the half room of 12 H
-    std::size_t rows_;
-    std::vector<double> until_;
+    const Lattice& lattice_;
+    std::vector<double> until_; // [column][row]
 };
 
-} // namespace
-
-Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOptions& options) {
-    if (!(options.spacing > 0.0 && std::round(1.0 / options.spacing) * options.spacing == 1.0))
-        return no_figure("the spacing of the luminaires does not divide the rooms");
-    if (opening.shape == OpeningShape::point) return no_figure("the file states no luminous opening");
+Figure<UgrTable> table_of(const Web& web, const Opening& opening, const UgrOptions& options, const Lattice& lattice) {
     const Glare glare(web, opening, options);
     const ZonalFlux flux(web);
     UgrTable table{};
     bool is_seen = false;
     std::array<std::array<double, ugr_reflectances.size()>, ugr_rooms.size()> backgrounds_nt{};
     for (const bool endwise : {false, true}) {
-        const Figure<GlareSums> sums = GlareSums::of(glare, options.spacing, endwise);
+        const Figure<GlareSums> sums = GlareSums::of(glare, lattice, endwise);
         if (!sums) return tl::unexpected(sums.error());
         for (std::size_t row = 0; row < ugr_rooms.size(); ++row) {
             const FirstFall first = flux.first_fall(ugr_rooms[row]);
             const double glare_sum = (*sums)(ugr_rooms[row]);
             for (std::size_t column = 0; column < ugr_reflectances.size(); ++column) {
                 double& background = backgrounds_nt[row][column]; // whichever way the room is seen
-                if (!endwise)
-                    background = background_nt(ugr_rooms[row], ugr_reflectances[column], first, options.spacing);
+                if (!endwise) background = background_nt(row, column, first, lattice.spacing());
                 if (!(background > 0.0)) return no_figure("no light is reflected in the standard rooms");
                 is_seen = is_seen || glare_sum > 0.0;
                 table[row][column + (endwise ? ugr_reflectances.size() : 0)] =
@@ -233,8 +276,19 @@ Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOpti
     return table;
 }
 
+} // namespace
+
+Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOptions& options) {
+    if (!(options.spacing > 0.0 && std::round(1.0 / options.spacing) * options.spacing == 1.0))
+        return no_figure("the spacing of the luminaires does not divide the rooms");
+    if (opening.shape == OpeningShape::point) return no_figure("the file states no luminous opening");
+    static const Lattice standard(UgrOptions().spacing);
+    if (options.spacing == UgrOptions().spacing) return table_of(web, opening, options, standard);
+    return table_of(web, opening, options, Lattice(options.spacing));
+}
+
 double ugr_background_nt(const Web& web, std::size_t row, std::size_t column, double spacing) {
-    return background_nt(ugr_rooms[row], ugr_reflectances[column], ZonalFlux(web).first_fall(ugr_rooms[row]), spacing);
+    return background_nt(row, column, ZonalFlux(web).first_fall(ugr_rooms[row]), spacing);
 }
 
 } // namespace gonio

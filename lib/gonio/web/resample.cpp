@@ -122,6 +122,29 @@ web_detail::Light light_of(const Web& web) {
             web.photometry() == Photometry::c ? &web : nullptr, web.photometry() == Photometry::c ? nullptr : &web};
 }
 
+Result<Web> sampled(const web_detail::Light& light, Symmetry stored, std::vector<double> planes_deg,
+                    std::vector<double> gammas_deg) {
+    std::vector<double> candela;
+    candela.reserve(planes_deg.size() * gammas_deg.size());
+    if (light.type_c != nullptr) {
+        const web_detail::PlaneRows rows(*light.type_c, gammas_deg);
+        for (const double c : planes_deg)
+            rows.append(c, candela);
+    } else if (light.native != nullptr) {
+        const web_detail::NativeRows rows(*light.native, gammas_deg);
+        std::vector<double> row(gammas_deg.size());
+        for (const double c : planes_deg) {
+            rows.exact(c, row);
+            candela.insert(candela.end(), row.begin(), row.end());
+        }
+    } else {
+        for (const double c : planes_deg)
+            for (const double gamma : gammas_deg)
+                candela.push_back(light.candela(c, gamma));
+    }
+    return Web::create(stored, std::move(planes_deg), std::move(gammas_deg), std::move(candela));
+}
+
 // The range of whole degrees of γ that contains light; high is below low if there is none.
 AngleRange bright_gammas(const web_detail::Light& light) {
     const std::optional<QuickWeb> quick =
@@ -188,25 +211,7 @@ std::vector<GoniometerAngles> table_directions(const Web& web) {
 
 Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<double> planes_deg,
                               std::vector<double> gammas_deg, Lumens flux_before) {
-    std::vector<double> candela;
-    candela.reserve(planes_deg.size() * gammas_deg.size());
-    if (light.type_c != nullptr) {
-        const PlaneRows rows(*light.type_c, gammas_deg);
-        for (const double c : planes_deg)
-            rows.append(c, candela);
-    } else if (light.native != nullptr) {
-        const NativeRows rows(*light.native, gammas_deg);
-        std::vector<double> row(gammas_deg.size());
-        for (const double c : planes_deg) {
-            rows.exact(c, row);
-            candela.insert(candela.end(), row.begin(), row.end());
-        }
-    } else {
-        for (const double c : planes_deg)
-            for (const double gamma : gammas_deg)
-                candela.push_back(light.candela(c, gamma));
-    }
-    Result<Web> made = Web::create(stored, std::move(planes_deg), std::move(gammas_deg), std::move(candela));
+    Result<Web> made = sampled(light, stored, std::move(planes_deg), std::move(gammas_deg));
     if (!made) return pass_on(made);
     ResampledWeb result{std::move(*made), Candelas(0.0), 0.0, 0.0, Lumens(0.0), Candelas(0.0)};
     measure(light, result);
@@ -231,6 +236,11 @@ ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens
 Result<ResampledWeb> resampled_to_c(const Web& web, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                                     Symmetry stored) {
     return web_detail::resample(light_of(web), stored, std::move(planes_deg), std::move(gammas_deg), flux(web));
+}
+
+Result<Web> sampled_on_grid(const Web& web, std::vector<double> planes_deg, std::vector<double> gammas_deg,
+                            Symmetry stored) {
+    return sampled(light_of(web), stored, std::move(planes_deg), std::move(gammas_deg));
 }
 
 Result<ResampledWeb> resampled_to_c(const Web& web, double tolerance) {

@@ -33,7 +33,11 @@ inline constexpr double resampling_tolerance = 0.002;
 Result<ResampledWeb> resampled_to_c(const Web& web, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                                     Symmetry stored = Symmetry::none);
 
-// As above, on a grid chosen for the web: its mirrors are kept, γ covers [0°, 180°] or the hemisphere that is not dark,
+// The same web without its errors, which take most of the time.
+Result<Web> sampled_on_grid(const Web& web, std::vector<double> planes_deg, std::vector<double> gammas_deg,
+                            Symmetry stored = Symmetry::none);
+
+// As resampled_to_c() above, on a grid chosen for the web: its mirrors are kept, γ covers [0°, 180°] or the hemisphere that is not dark,
 // includes the γ of the web's own angles in the principal planes, and steps of 2.5° are halved where the light bends by
 // more than `tolerance` of the peak. The grid has at most 65536 points, which ends the halving where a table ends at a
 // non-zero value; check max_error. A web of type C is returned unchanged. Never fails for a valid web.
