@@ -1,13 +1,55 @@
 #include <gonio/base/charconv.hpp>
+#include <gonio/base/decimal.hpp>
 #include <gonio/profile/number_text.hpp>
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 namespace gonio::profile_detail {
 
+namespace {
+
+// Fast paths of the same text, for numbers that files have: few digits. A double is the nearest to one decimal of at
+// most 15 significant digits, so a decimal of so many that reads back as the double is the shortest.
+bool append_decimal(std::string& text, double value) {
+    const double magnitude = std::abs(value);
+    if (!(magnitude < 1e14)) return false;
+    Decimal decimal{static_cast<std::int64_t>(magnitude), 0};
+    if (static_cast<double>(decimal.digits) != magnitude) {
+        constexpr int few = 9; // as portable profiles have
+        std::optional<Decimal> found = nearest_decimal(magnitude, few);
+        if (!found || found->value() != magnitude) found = nearest_decimal(magnitude, most_digits_of_decimal);
+        if (!found || found->value() != magnitude) return false;
+        decimal = *found;
+        while (decimal.digits % 10 == 0) {
+            decimal.digits /= 10;
+            --decimal.decimals;
+        }
+    }
+    std::array<char, 16> digits;
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), decimal.digits).ptr;
+    const auto count = static_cast<std::size_t>(end - digits.data());
+    const auto decimals = static_cast<std::size_t>(decimal.decimals);
+    if (std::signbit(value)) text += '-';
+    if (decimals == 0) {
+        text.append(digits.data(), count);
+    } else if (count > decimals) {
+        text.append(digits.data(), count - decimals).push_back('.');
+        text.append(digits.data() + count - decimals, decimals);
+    } else {
+        text.append("0.").append(decimals - count, '0').append(digits.data(), count);
+    }
+    return true;
+}
+
+} // namespace
+
 void append_number(std::string& text, double value) {
+    if (append_decimal(text, value)) return;
     const double magnitude = std::abs(value);
     const bool plain = magnitude == 0.0 || (magnitude >= 1e-30 && magnitude < 1e15);
     std::array<char, 64> buffer{}; // the longest: a sign, "0.", 29 zeros and 17 digits

@@ -1,4 +1,5 @@
 #include <gonio/base/charconv.hpp>
+#include <gonio/base/decimal.hpp>
 #include <gonio/profile/write.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/greatest_difference.hpp>
@@ -145,36 +146,11 @@ void report_azimuth(const Web& web, const ProfileHeader& header, ProfileTarget t
                fmt::format("add --azimuth {} to turn it by 90°", to_eulumdat ? "eulumdat" : "ies"));
 }
 
-// The nearest number of so many decimal digits, if a product finds it: the integer r nearest to value·10^k is certain
-// unless the product is close to the middle between two, and the quotient of two exact numbers, r and 10^k, is the
-// double nearest to the decimal.
-std::optional<double> quickly_rounded(double value, int digits) {
-    constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    const double magnitude = std::abs(value);
-    if (!(magnitude >= 1e-7 && magnitude < 1e14) || digits < 1 || digits > 14) return std::nullopt;
-    int exponent = 0;
-    (void)std::frexp(magnitude, &exponent);
-    const double log10_of_2 = 0.30102999566398120;
-    // The decimal exponent, or one less.
-    int k = digits - 1 - static_cast<int>(std::floor((exponent - 1) * log10_of_2));
-    const double above = powers.at(static_cast<std::size_t>(digits));
-    if (k >= 0 && k < static_cast<int>(powers.size()) && magnitude * powers.at(static_cast<std::size_t>(k)) >= above)
-        --k;
-    if (k < 0 || k >= static_cast<int>(powers.size())) return std::nullopt;
-    const double power = powers.at(static_cast<std::size_t>(k));
-    const double scaled = magnitude * power;
-    const double whole = std::nearbyint(scaled);
-    const double least = powers.at(static_cast<std::size_t>(digits) - 1);
-    // The product is off by 1e-16 of up to 1e14.
-    if (!(scaled >= least && scaled < above) || std::abs(scaled - whole) > 0.45) return std::nullopt;
-    return std::copysign(whole / power, value);
-}
-
 } // namespace
 
 double web_detail::rounded_to(double value, int digits) {
-    if (const std::optional<double> quick = quickly_rounded(value, digits)) return *quick;
+    if (const std::optional<Decimal> decimal = nearest_decimal(std::abs(value), digits))
+        return std::copysign(decimal->value(), value);
     std::array<char, 64> text{};
     const auto [end, error] =
         to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);

@@ -1,0 +1,39 @@
+#include <gonio/base/decimal.hpp>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+namespace gonio {
+
+namespace {
+
+// Exact.
+constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                            1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+} // namespace
+
+double Decimal::value() const {
+    return static_cast<double>(digits) / powers.at(static_cast<std::size_t>(decimals));
+}
+
+std::optional<Decimal> nearest_decimal(double magnitude, int digits) {
+    if (!(magnitude >= 1e-7 && magnitude < 1e14) || digits < 1 || digits > most_digits_of_decimal) return std::nullopt;
+    const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52) - 1023;
+    // The decimal exponent or one less: log₁₀ 2 is 78913/2¹⁸.
+    int decimals = digits - 1 - ((exponent * 78913) >> 18);
+    const double above = powers.at(static_cast<std::size_t>(digits));
+    if (decimals < 0 || decimals >= static_cast<int>(powers.size())) return std::nullopt;
+    if (magnitude * powers.at(static_cast<std::size_t>(decimals)) >= above) --decimals;
+    if (decimals < 0) return std::nullopt;
+    const double scaled = magnitude * powers.at(static_cast<std::size_t>(decimals));
+    const double whole = (scaled + 0x1.8p52) - 0x1.8p52; // the nearest integer
+    const double least = powers.at(static_cast<std::size_t>(digits) - 1);
+    // The product is off by 1e-16 of up to 1e14.
+    if (!(scaled >= least && scaled < above) || std::abs(scaled - whole) > 0.45) return std::nullopt;
+    return Decimal{static_cast<std::int64_t>(whole), decimals};
+}
+
+} // namespace gonio
