@@ -5,16 +5,16 @@
 #include <gonio/web/greatest_difference.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
-#include <gonio/web/native_rows.hpp>
 #include <gonio/web/plane_rows.hpp>
 #include <gonio/web/symmetry.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace gonio {
@@ -99,13 +99,13 @@ public:
         std::vector<double> gammas;
         for (int j = 0; j <= 360; ++j)
             gammas.push_back(step * j);
-        RowsOfWeb of_a(a_, gammas);
-        RowsOfWeb of_b(b_, gammas);
+        web_detail::WebRows of_a(a_, gammas);
+        web_detail::WebRows of_b(b_, gammas);
         const double margin_cd = of_a.margin_cd() + of_b.margin_cd();
         for (int i = 0; i < 720; ++i) {
             const double c = step * i;
-            const std::vector<double>& a_row = with_squares_ ? of_a.exact(c) : of_a.quick(c);
-            const std::vector<double>& b_row = with_squares_ ? of_b.exact(c) : of_b.quick(c);
+            const std::span<const double> a_row = with_squares_ ? of_a.exact(c) : of_a.quick(c);
+            const std::span<const double> b_row = with_squares_ ? of_b.exact(c) : of_b.quick(c);
             for (std::size_t j = 0; j < gammas.size(); ++j) {
                 const double d = a_row[j] - b_row[j];
                 if (with_squares_) {
@@ -163,15 +163,10 @@ private:
     using Corners = std::array<double, 4>;
 
     // The corner values of a bilinear function in a cell, extrapolated from four points inside it, because the web may
-    // jump at the cell's edges. Of type C, the γ of these points are found in the table once.
+    // jump at the cell's edges.
     class QuarterPoints {
     public:
-        QuarterPoints(const Web& web, const std::vector<double>& vertical) : web_(web) {
-            for (std::size_t j = 1; j < vertical.size(); ++j)
-                for (const double y : {0.25, 0.75})
-                    verticals_deg_.push_back(vertical[j - 1] + y * (vertical[j] - vertical[j - 1]));
-            if (web.photometry() == Photometry::c) rows_.emplace(web, verticals_deg_);
-        }
+        QuarterPoints(const Web& web, const std::vector<double>& vertical) : rows_(web, quarters(vertical)) {}
 
         // To the cells between two horizontal angles.
         void move_to(Interval h) {
@@ -192,54 +187,22 @@ private:
         }
 
     private:
+        static std::vector<double> quarters(const std::vector<double>& vertical) {
+            std::vector<double> angles;
+            for (std::size_t j = 1; j < vertical.size(); ++j)
+                for (const double y : {0.25, 0.75})
+                    angles.push_back(vertical[j - 1] + y * (vertical[j] - vertical[j - 1]));
+            return angles;
+        }
+
         void fill(double horizontal_deg, std::vector<double>& to) const {
             to.clear();
-            if (rows_) {
-                rows_->append(horizontal_deg, to);
-                return;
-            }
-            for (const double vertical_deg : verticals_deg_)
-                to.push_back(web_.candela_at(horizontal_deg, vertical_deg));
+            rows_.append(horizontal_deg, to);
         }
 
-        const Web& web_;
-        std::vector<double> verticals_deg_;
-        std::optional<web_detail::PlaneRows> rows_;
+        web_detail::PlaneRows rows_;
         std::vector<double> left_;
         std::vector<double> right_;
-    };
-
-    // A web of any type at (C, γ), for the same γ on each plane.
-    class RowsOfWeb {
-    public:
-        RowsOfWeb(const Web& web, const std::vector<double>& gammas_deg) : row_(gammas_deg.size()) {
-            if (web.photometry() == Photometry::c)
-                type_c_.emplace(web, gammas_deg);
-            else
-                native_.emplace(web, gammas_deg);
-        }
-
-        const std::vector<double>& exact(double c_deg) { return row(c_deg, false); }
-        // Within margin_cd().
-        const std::vector<double>& quick(double c_deg) { return row(c_deg, true); }
-        [[nodiscard]] double margin_cd() const { return native_ ? native_->margin_cd() : 0.0; }
-
-    private:
-        const std::vector<double>& row(double c_deg, bool is_quick) {
-            if (type_c_) {
-                row_.clear();
-                type_c_->append(c_deg, row_);
-            } else if (is_quick) {
-                native_->quick(c_deg, row_);
-            } else {
-                native_->exact(c_deg, row_);
-            }
-            return row_;
-        }
-
-        std::optional<web_detail::PlaneRows> type_c_;
-        std::optional<web_detail::NativeRows> native_;
-        std::vector<double> row_;
     };
 
     // Uses the table's own number if it equals the corner value found from within a cell, except for rounding.

@@ -5,11 +5,11 @@
 
 namespace gonio::web_detail {
 
-PlaneRows::PlaneRows(const Web& web, std::span<const double> gammas_deg) : web_(web) {
-    rows_.reserve(gammas_deg.size());
+PlaneRows::PlaneRows(const Web& web, std::span<const double> vertical_deg) : web_(web) {
+    rows_.reserve(vertical_deg.size());
     std::size_t cell = 0;
-    for (const double gamma : gammas_deg) {
-        rows_.push_back(place_of(web.gammas_deg(), gamma, cell));
+    for (const double angle : vertical_deg) {
+        rows_.push_back(place_of(web.vertical_deg(), web.folded_vertical_deg(angle), cell));
         cell = rows_.back().cell;
     }
 }
@@ -30,10 +30,12 @@ PlaneRows::Place PlaneRows::place_of(std::span<const double> angles_deg, double 
     return {cell, (angle_deg - angles_deg[cell]) / (angles_deg[cell + 1] - angles_deg[cell]), true};
 }
 
-void PlaneRows::append(double c_deg, std::vector<double>& to) const {
+void PlaneRows::append(double horizontal_deg, std::vector<double>& to) const {
     const std::size_t first = to.size();
     to.resize(first + rows_.size()); // zeros
-    const Place plane = std::isfinite(c_deg) ? place_of(web_.planes_deg(), web_.folded_c_deg(c_deg), 0) : Place{};
+    const Place plane = std::isfinite(horizontal_deg)
+                            ? place_of(web_.horizontal_deg(), web_.folded_horizontal_deg(horizontal_deg), 0)
+                            : Place{};
     if (!plane.inside) return;
     double* out = to.data() + first;
     // With a weight of 0 the neighbour is not accessed, because it may not exist.

@@ -1,4 +1,5 @@
-// A type C web's intensities on many planes at the same γ: each γ is found in the table once. Internal to the web room.
+// A web's intensities at the same vertical angles of many planes: each is found in the table once. Internal to the web
+// room.
 #pragma once
 
 #include <gonio/web/web.hpp>
@@ -11,11 +12,11 @@ namespace gonio::web_detail {
 
 class PlaneRows {
 public:
-    // The web must be of type C and outlive this.
-    PlaneRows(const Web& web, std::span<const double> gammas_deg);
+    // The grid's own angles: γ for type C, V for A and B. The web must outlive this.
+    PlaneRows(const Web& web, std::span<const double> vertical_deg);
 
-    // web.candela(C, γ) at each γ, appended to `to`: the same to the last bit.
-    void append(double c_deg, std::vector<double>& to) const;
+    // web.candela_at() at each of them, appended to `to`: the same to the last bit.
+    void append(double horizontal_deg, std::vector<double>& to) const;
 
 private:
     // The cell [cell, cell + 1] of an angle and the weight of its upper end.

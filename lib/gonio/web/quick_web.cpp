@@ -58,16 +58,6 @@ QuickWeb::Axis::Axis(std::span<const double> angles) : angles_deg(angles) {
     }
 }
 
-std::size_t QuickWeb::Axis::cell(double angle_deg) const {
-    const auto part = static_cast<std::size_t>((angle_deg - angles_deg.front()) * parts_per_deg);
-    if (first_cells.empty()) return std::min(part, per_deg.size() - 1);
-    std::size_t cell = first_cells[part];
-    cell += angle_deg >= angles_deg[cell + 1] ? 1U : 0U;
-    while (holds_many && angle_deg >= angles_deg[cell + 1])
-        ++cell;
-    return cell;
-}
-
 QuickWeb::QuickWeb(const Web& web)
     : web_(web),
       horizontal_(web.horizontal_deg()),
@@ -84,12 +74,70 @@ QuickWeb::QuickWeb(const Web& web)
     margin_cd_ = greatest * (1e-14 + 4.0 * weight_error_);
 }
 
-// Angles of the grid, with its mirrors applied. A NaN is not known.
-QuickWeb::Found QuickWeb::between(double horizontal_deg, double vertical_deg) const {
-    if (vertical_deg < vertical_.never_below || vertical_deg > vertical_.never_above) return {0.0, true};
-    if (!(vertical_deg > vertical_.surely_from && vertical_deg < vertical_.surely_to)) return {0.0, false, false};
-    const std::size_t row = vertical_.cell(vertical_deg);
-    const double row_weight = (vertical_deg - vertical_.angles_deg[row]) * vertical_.per_deg[row];
+struct QuickWeb::Places {
+    std::array<std::uint32_t, chunk> cell;
+    std::array<double, chunk> weight;
+    std::array<bool, chunk> is_inside;  // surely
+    std::array<bool, chunk> is_outside; // surely
+};
+
+// An angle that is not surely inside, a NaN too, gets some cell of the axis.
+void QuickWeb::locate(const Axis& axis, std::span<const double> angles_deg, Places& places) const {
+    const double first = axis.angles_deg.front();
+    const auto last_part =
+        static_cast<double>(axis.first_cells.empty() ? axis.per_deg.size() - 1 : axis.first_cells.size() - 1);
+    std::array<std::uint32_t, chunk> parts;
+    for (std::size_t i = 0; i < angles_deg.size(); ++i) {
+        const double angle = angles_deg[i];
+        // Written so that a NaN becomes 0.
+        const double part = (angle - first) * axis.parts_per_deg;
+        parts[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(part > 0.0 ? std::min(part, last_part) : 0.0));
+        places.is_inside[i] = angle > axis.surely_from && angle < axis.surely_to;
+        places.is_outside[i] = angle < axis.never_below || angle > axis.never_above;
+    }
+    for (std::size_t i = 0; i < angles_deg.size(); ++i) {
+        std::uint32_t cell = parts[i];
+        if (!axis.first_cells.empty()) {
+            cell = axis.first_cells[cell];
+            cell += cell + 1 < axis.per_deg.size() && angles_deg[i] >= axis.angles_deg[cell + 1] ? 1U : 0U;
+            while (axis.holds_many && cell + 1 < axis.per_deg.size() && angles_deg[i] >= axis.angles_deg[cell + 1])
+                ++cell;
+        }
+        places.cell[i] = cell;
+        places.weight[i] = (angles_deg[i] - axis.angles_deg[cell]) * axis.per_deg[cell];
+    }
+}
+
+void QuickWeb::fold(std::span<double> c_deg) const {
+    switch (web_.stored_symmetry()) {
+    case Symmetry::axial:
+        return;
+    case Symmetry::quadrant:
+        for (double& c : c_deg)
+            c = std::min(std::abs(c), 180.0 - std::abs(c));
+        return;
+    case Symmetry::bilateral_0_180:
+        for (double& c : c_deg)
+            c = std::abs(c);
+        return;
+    case Symmetry::bilateral_90_270:
+        for (double& c : c_deg)
+            c = std::abs(c) < 90.0 ? 180.0 - c : c < 0.0 ? c + 360.0 : c;
+        return;
+    case Symmetry::none:
+        break;
+    }
+    // Just before the first plane is just after the last one.
+    const double end = horizontal_.never_below + 360.0;
+    for (double& c : c_deg) {
+        const double folded = c >= -180.0 ? web_.folded_c_deg(c < 0.0 ? c + 360.0 : c) : c;
+        c = folded > end ? std::numeric_limits<double>::quiet_NaN() : folded;
+    }
+}
+
+QuickWeb::Found QuickWeb::between(const Places& rows, const Places& planes, std::size_t at) const {
+    const std::size_t row = rows.cell[at];
+    const double row_weight = rows.weight[at];
     const auto along_vertical = [&](const double* column) {
         return column[row] + row_weight * (column[row + 1] - column[row]);
     };
@@ -98,28 +146,14 @@ QuickWeb::Found QuickWeb::between(double horizontal_deg, double vertical_deg) co
         const bool dark = candela_[row] == 0.0 && candela_[row + 1] == 0.0 && is_between(row_weight);
         return {along_vertical(candela_), dark};
     }
-    if (horizontal_deg < horizontal_.never_below || horizontal_deg > horizontal_.never_above) return {0.0, true};
-    if (!(horizontal_deg > horizontal_.surely_from && horizontal_deg < horizontal_.surely_to))
-        return {0.0, false, false};
-    const std::size_t plane = horizontal_.cell(horizontal_deg);
-    const double weight = (horizontal_deg - horizontal_.angles_deg[plane]) * horizontal_.per_deg[plane];
-    const double* const low = candela_ + plane * vertical_.angles_deg.size();
+    const double weight = planes.weight[at];
+    const double* const low = candela_ + planes.cell[at] * vertical_.angles_deg.size();
     const double* const high = low + vertical_.angles_deg.size();
     const double at_low = along_vertical(low);
     const double cd = at_low + weight * (along_vertical(high) - at_low);
     const bool dark = cd == 0.0 && low[row] == 0.0 && low[row + 1] == 0.0 && high[row] == 0.0 && high[row + 1] == 0.0 &&
                       is_between(row_weight) && is_between(weight);
     return {cd, dark};
-}
-
-// Type C; C from −180° to 180°.
-QuickWeb::Found QuickWeb::folded(double c_deg, double gamma_deg) const {
-    if (is_axial_) return between(0.0, gamma_deg);
-    if (!(c_deg >= -180.0)) return {0.0, false, false};
-    const double folded_deg = web_.folded_c_deg(c_deg < 0.0 ? c_deg + 360.0 : c_deg);
-    // Just before the first plane is just after the last one.
-    if (folded_deg > horizontal_.never_below + 360.0) return {0.0, false, false};
-    return between(folded_deg, gamma_deg);
 }
 
 void QuickWeb::candela(std::span<const double> x, std::span<const double> y, std::span<const double> z,
@@ -135,6 +169,8 @@ void QuickWeb::candela(std::span<const double> x, std::span<const double> y, std
     std::array<double, chunk> across;
     std::array<double, chunk> latitude_deg;
     std::array<double, chunk> longitude_deg;
+    Places rows;
+    Places planes;
     const double* const along = type_c ? ahead.data() : type == Photometry::a ? up.data() : right.data();
     const double* const beside = type == Photometry::a ? right.data() : up.data();
     const double* const before = type_c ? right.data() : ahead.data();
@@ -155,14 +191,19 @@ void QuickWeb::candela(std::span<const double> x, std::span<const double> y, std
         else
             kernels.angles_deg(count, along, across.data(), latitude_deg.data());
         if (!is_axial_) kernels.angles_deg(count, beside, before, longitude_deg.data());
+        if (type_c && !is_axial_) fold({longitude_deg.data(), count});
+        const bool stands = type_c || type == Photometry::a; // rows are latitudes
+        locate(vertical_, {stands ? latitude_deg.data() : longitude_deg.data(), count}, rows);
+        if (!is_axial_) locate(horizontal_, {stands ? longitude_deg.data() : latitude_deg.data(), count}, planes);
         for (std::size_t i = 0; i < count; ++i) {
             // At the poles, the longitude is that of a rounding.
-            Found found{0.0, false, false};
-            if (across[i] > 1e-10 * std::abs(along[i]))
-                found = type_c                  ? folded(longitude_deg[i], latitude_deg[i])
-                        : type == Photometry::a ? between(longitude_deg[i], latitude_deg[i])
-                                                : between(latitude_deg[i], longitude_deg[i]);
-            if (!found.is_known) found = {web_.candela(glm::dvec3(xs[i], ys[i], zs[i])), true};
+            const bool is_clear = across[i] > 1e-10 * std::abs(along[i]);
+            const bool in_rows = is_clear && rows.is_inside[i];
+            Found found;
+            if (in_rows && (is_axial_ || planes.is_inside[i]))
+                found = between(rows, planes, i);
+            else if (!(is_clear && rows.is_outside[i]) && !(in_rows && !is_axial_ && planes.is_outside[i]))
+                found.candela = web_.candela(glm::dvec3(xs[i], ys[i], zs[i]));
             to[begin + i] = found.candela;
             if (!is_exact.empty()) is_exact[begin + i] = found.is_exact ? 1 : 0;
         }

@@ -46,17 +46,19 @@ private:
         double never_above = 0.0;
 
         explicit Axis(std::span<const double> angles);
-        // Surely inside the ends. Within rounding of an angle of the table, either of its cells.
-        [[nodiscard]] std::size_t cell(double angle_deg) const;
     };
+    // Where angles lie on an axis: the cell, and the weight of its upper end.
+    struct Places;
+    void locate(const Axis& axis, std::span<const double> angles_deg, Places& places) const;
+    // C as a web of type C folds it, from −180° to 180°; NaN where that takes the web itself.
+    void fold(std::span<double> c_deg) const;
 
     struct Found {
-        double candela;
-        bool is_exact;
-        bool is_known = true; // else the web has to be asked
+        double candela = 0.0;
+        bool is_exact = true;
     };
-    [[nodiscard]] Found between(double horizontal_deg, double vertical_deg) const;
-    [[nodiscard]] Found folded(double c_deg, double gamma_deg) const;
+    // Inside the table.
+    [[nodiscard]] Found between(const Places& rows, const Places& planes, std::size_t at) const;
 
     const Web& web_;
     Axis horizontal_;
@@ -64,7 +66,7 @@ private:
     const double* candela_;
     double weight_error_ = 0.0; // greatest, of a place between two angles
     double margin_cd_ = 0.0;
-    bool is_axial_;
+    bool is_axial_;  // one plane, for every C
     bool mirrors_x_; // types A and B
     bool mirrors_y_;
 };

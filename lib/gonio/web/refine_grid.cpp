@@ -43,7 +43,7 @@ public:
         const std::vector<std::size_t> of_plane = places(planes, planes_deg);
         const std::vector<std::size_t> of_gamma = places(gammas, gammas_deg);
         std::optional<NativeRows> native;
-        if (light_.native != nullptr) native.emplace(*light_.native, gammas);
+        if (light_.web != nullptr && light_.web->photometry() != Photometry::c) native.emplace(*light_.web, gammas);
         std::vector<double> all;
         all.reserve(planes.size() * gammas.size());
         for (std::size_t i = 0; i < planes.size(); ++i)

@@ -4,11 +4,11 @@
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/native_rows.hpp>
 #include <gonio/web/plane_range.hpp>
-#include <gonio/web/plane_rows.hpp>
 #include <gonio/web/quick_web.hpp>
 #include <gonio/web/refine_grid.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/resample_light.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,28 +72,12 @@ void measure(const web_detail::Light& before, ResampledWeb& result) {
     WorstError worst(before, result);
     const std::vector<double> gammas = fifths(result.web.vertical_deg());
     const std::vector<double> planes = fifths(result.web.horizontal_deg());
-    if (before.type_c != nullptr) {
-        const web_detail::PlaneRows of_before(*before.type_c, gammas);
-        const web_detail::PlaneRows of_result(result.web, gammas);
-        std::vector<double> here;
-        std::vector<double> there;
+    if (before.web != nullptr) {
+        web_detail::WebRows of_before(*before.web, gammas);
+        web_detail::WebRows of_result(result.web, gammas);
         for (const double c : planes) {
-            here.clear();
-            there.clear();
-            of_before.append(c, here);
-            of_result.append(c, there);
-            for (std::size_t j = 0; j < gammas.size(); ++j)
-                if (std::abs(there[j] - here[j]) > result.max_error.value) worst.look_at(c, gammas[j]);
-        }
-    } else if (before.native != nullptr) {
-        web_detail::NativeRows of_before(*before.native, gammas);
-        const web_detail::PlaneRows of_result(result.web, gammas);
-        std::vector<double> here(gammas.size());
-        std::vector<double> there;
-        for (const double c : planes) {
-            there.clear();
-            of_before.quick(c, here);
-            of_result.append(c, there);
+            const std::span<const double> here = of_before.quick(c);
+            const std::span<const double> there = of_result.exact(c);
             for (std::size_t j = 0; j < gammas.size(); ++j)
                 if (std::abs(there[j] - here[j]) + of_before.margin_cd() > result.max_error.value)
                     worst.look_at(c, gammas[j]);
@@ -118,23 +102,17 @@ std::vector<double> gammas_of_native(const Web& web) {
 
 web_detail::Light light_of(const Web& web) {
     return {[&web](double c, double gamma) { return web.candela(c, gamma); }, web_detail::table_directions(web),
-            web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web),
-            web.photometry() == Photometry::c ? &web : nullptr, web.photometry() == Photometry::c ? nullptr : &web};
+            web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web), &web};
 }
 
 Result<Web> sampled(const web_detail::Light& light, Symmetry stored, std::vector<double> planes_deg,
                     std::vector<double> gammas_deg) {
     std::vector<double> candela;
     candela.reserve(planes_deg.size() * gammas_deg.size());
-    if (light.type_c != nullptr) {
-        const web_detail::PlaneRows rows(*light.type_c, gammas_deg);
-        for (const double c : planes_deg)
-            rows.append(c, candela);
-    } else if (light.native != nullptr) {
-        const web_detail::NativeRows rows(*light.native, gammas_deg);
-        std::vector<double> row(gammas_deg.size());
+    if (light.web != nullptr) {
+        web_detail::WebRows rows(*light.web, gammas_deg);
         for (const double c : planes_deg) {
-            rows.exact(c, row);
+            const std::span<const double> row = rows.exact(c);
             candela.insert(candela.end(), row.begin(), row.end());
         }
     } else {
@@ -147,10 +125,10 @@ Result<Web> sampled(const web_detail::Light& light, Symmetry stored, std::vector
 
 // The range of whole degrees of γ that contains light; high is below low if there is none.
 AngleRange bright_gammas(const web_detail::Light& light) {
-    const std::optional<QuickWeb> quick =
-        light.native != nullptr ? std::optional<QuickWeb>(*light.native) : std::nullopt;
+    std::optional<QuickWeb> quick;
+    if (light.web != nullptr) quick.emplace(*light.web);
     const auto is_lit = [&](int gamma) {
-        if (quick) return web_detail::is_lit_at(*light.native, *quick, gamma);
+        if (quick) return web_detail::is_lit_at(*light.web, *quick, gamma);
         for (int c = 0; c < 360; ++c)
             if (light.candela(c, gamma) != 0.0) return true;
         return false;

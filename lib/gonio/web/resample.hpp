@@ -37,10 +37,11 @@ Result<ResampledWeb> resampled_to_c(const Web& web, std::vector<double> planes_d
 Result<Web> sampled_on_grid(const Web& web, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                             Symmetry stored = Symmetry::none);
 
-// As resampled_to_c() above, on a grid chosen for the web: its mirrors are kept, γ covers [0°, 180°] or the hemisphere that is not dark,
-// includes the γ of the web's own angles in the principal planes, and steps of 2.5° are halved where the light bends by
-// more than `tolerance` of the peak. The grid has at most 65536 points, which ends the halving where a table ends at a
-// non-zero value; check max_error. A web of type C is returned unchanged. Never fails for a valid web.
+// As resampled_to_c() above, on a grid chosen for the web: its mirrors are kept, γ covers [0°, 180°] or the hemisphere
+// that is not dark, includes the γ of the web's own angles in the principal planes, and steps of 2.5° are halved where
+// the light bends by more than `tolerance` of the peak. The grid has at most 65536 points, which ends the halving where
+// a table ends at a non-zero value; check max_error. A web of type C is returned unchanged. Never fails for a valid
+// web.
 Result<ResampledWeb> resampled_to_c(const Web& web, double tolerance = resampling_tolerance);
 
 // `count` + 1 angles from `first` to `last` in equal steps, both ends exact.

@@ -15,8 +15,7 @@ struct Light {
     std::function<double(double c_deg, double gamma_deg)> candela;
     std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is evaluated there too
     std::vector<double> gammas_deg = {};  // γ of bends that follow a C-plane: a chosen grid includes them
-    const Web* type_c = nullptr;          // the web whose light this is, if that is of type C: the same, but faster
-    const Web* native = nullptr;          // the same of type A or B
+    const Web* web = nullptr;             // whose light this is, if there is one: the same, but faster
 };
 
 // (C, γ) of every point of a web's table, without mirror images.

@@ -6,9 +6,11 @@
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/make_profile.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/plane_rows.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/symmetry.hpp>
 #include <gonio/web/to_profile.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include <fmt/format.h>
 
@@ -17,7 +19,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gonio {
 
@@ -128,9 +132,15 @@ void report_resampling(const ResampledWeb& resampled, const Web& web, Losses& lo
 bool changes_when_turned(const Web& web) {
     if (web.stored_symmetry() == Symmetry::axial) return false;
     const double least = 0.01 * peak(web).intensity.value;
-    for (int c = 0; c < 360; c += 5)
-        for (double gamma = 0.0; gamma <= 180.0; gamma += 2.5)
-            if (std::abs(web.candela(c, gamma) - web.candela(c + 90.0, gamma)) > least) return true;
+    const std::vector<double> gammas_deg = even_angles(0.0, 180.0, 72);
+    web_detail::WebRows rows(web, gammas_deg);
+    web_detail::WebRows turned(web, gammas_deg);
+    for (int c = 0; c < 360; c += 5) {
+        const std::span<const double> here = rows.exact(c);
+        const std::span<const double> there = turned.exact(c + 90.0);
+        for (std::size_t j = 0; j < gammas_deg.size(); ++j)
+            if (std::abs(here[j] - there[j]) > least) return true;
+    }
     return false;
 }
 
@@ -275,15 +285,25 @@ ConversionError conversion_error(const Web& source, const Web& made) {
         return {found.greatest, bright > 0.0 ? found.greatest.value / bright : 0.0, found.c_deg, found.gamma_deg};
     }
     double greatest = -1.0;
+    std::vector<double> before;
+    std::vector<double> after;
     for (const Web* const web : {&source, &made}) {
+        const std::span<const double> vertical_deg = web->vertical_deg();
+        const web_detail::PlaneRows of_source(source, vertical_deg);
+        const web_detail::PlaneRows of_made(made, vertical_deg);
         for (const double h : web->horizontal_deg()) {
-            for (const double v : web->vertical_deg()) {
-                const double off = std::abs(source.candela_at(h, v) - made.candela_at(h, v));
+            before.clear();
+            after.clear();
+            of_source.append(h, before);
+            of_made.append(h, after);
+            for (std::size_t j = 0; j < vertical_deg.size(); ++j) {
+                const double off = std::abs(before[j] - after[j]);
                 if (off <= greatest) continue;
                 greatest = off;
-                const GoniometerAngles at = angles_of(Photometry::c, direction_of(source.photometry(), {h, v}));
-                const bool type_c = source.photometry() == Photometry::c;
-                error = {Candelas(off), 0.0, type_c ? h : at.horizontal_deg, type_c ? v : at.vertical_deg};
+                GoniometerAngles at{h, vertical_deg[j]};
+                if (source.photometry() != Photometry::c)
+                    at = angles_of(Photometry::c, direction_of(source.photometry(), at));
+                error = {Candelas(off), 0.0, at.horizontal_deg, at.vertical_deg};
             }
         }
     }

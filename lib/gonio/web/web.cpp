@@ -205,6 +205,15 @@ double Web::folded_c_deg(double c_deg) const {
     return c;
 }
 
+double Web::folded_horizontal_deg(double horizontal_deg) const {
+    if (photometry_ == Photometry::c) return folded_c_deg(horizontal_deg);
+    return mirrored_in_90_270(stored_) ? std::abs(horizontal_deg) : horizontal_deg;
+}
+
+double Web::folded_vertical_deg(double vertical_deg) const {
+    return photometry_ != Photometry::c && mirrored_in_0_180(stored_) ? std::abs(vertical_deg) : vertical_deg;
+}
+
 double Web::interpolate(double horizontal_deg, double vertical_deg) const {
     std::size_t row = 0;
     double row_weight = 0.0;
@@ -224,9 +233,7 @@ double Web::interpolate(double horizontal_deg, double vertical_deg) const {
 
 double Web::candela_at(double horizontal_deg, double vertical_deg) const {
     if (!std::isfinite(horizontal_deg)) return 0.0;
-    if (photometry_ == Photometry::c) return interpolate(folded_c_deg(horizontal_deg), vertical_deg);
-    return interpolate(mirrored_in_90_270(stored_) ? std::abs(horizontal_deg) : horizontal_deg,
-                       mirrored_in_0_180(stored_) ? std::abs(vertical_deg) : vertical_deg);
+    return interpolate(folded_horizontal_deg(horizontal_deg), folded_vertical_deg(vertical_deg));
 }
 
 double Web::candela(double c_deg, double gamma_deg) const {

@@ -90,6 +90,10 @@ public:
     // Type C: C folded by the stored symmetry into the range of the stored planes, which may still not reach it.
     double folded_c_deg(double c_deg) const;
 
+    // The same of the grid's own angles, for any goniometer.
+    double folded_horizontal_deg(double horizontal_deg) const;
+    double folded_vertical_deg(double vertical_deg) const;
+
 private:
     // Strictly ascending angles; if they are uniformly spaced, the cell of an angle is found without a search.
     struct Axis {
