@@ -1,6 +1,7 @@
 // Types A and B: directions, evaluation, exact flux, and their integrals over (C, γ), against independent dense sums.
 #include <gonio/bake/bake.hpp>
 #include <gonio/profile/read.hpp>
+#include <gonio/web/compare.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
@@ -8,6 +9,7 @@
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/rings.hpp>
 #include <gonio/web/symmetry.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include "../folders.hpp"
 #include "webs.hpp"
@@ -16,6 +18,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <span>
 
 namespace gonio {
 namespace {
@@ -220,6 +223,32 @@ TEST(NativeMetrics, PeakAndSpreadAreByDirection) {
     EXPECT_NEAR(to_degrees(*spread_angle(web, 0, 0.5)), 10.0, 1e-6);
 }
 
+TEST(Native, RowsAtOnceAreTheSameToTheLastBit) {
+    const std::vector<double> gammas = steps(0, 180, 73);
+    for (const Web& web : some_webs()) {
+        std::vector<double> vertical = steps(-100, 100, 81);
+        vertical.insert(vertical.end(), web.vertical_deg().begin(), web.vertical_deg().end());
+        std::vector<double> horizontal = steps(-100, 100, 41);
+        horizontal.insert(horizontal.end(), web.horizontal_deg().begin(), web.horizontal_deg().end());
+        const web_detail::PlaneRows planes(web, vertical);
+        for (const double h : horizontal) {
+            std::vector<double> found;
+            planes.append(h, found);
+            for (std::size_t j = 0; j < vertical.size(); ++j)
+                ASSERT_EQ(found[j], web.candela_at(h, vertical[j])) << h << ' ' << vertical[j];
+        }
+        web_detail::WebRows rows(web, gammas);
+        for (int c = -90; c <= 450; c += 15) {
+            const std::span<const double> exact = rows.exact(c);
+            for (std::size_t j = 0; j < gammas.size(); ++j)
+                ASSERT_EQ(exact[j], web.candela(c, gammas[j])) << c << ' ' << gammas[j];
+            const std::span<const double> quick = rows.quick(c);
+            for (std::size_t j = 0; j < gammas.size(); ++j)
+                ASSERT_NEAR(quick[j], web.candela(c, gammas[j]), rows.margin_cd()) << c << ' ' << gammas[j];
+        }
+    }
+}
+
 TEST(Resample, OfTypesAAndBStatesItsError) {
     const Web web = random_native(Photometry::b, Symmetry::bilateral_90_270, steps(0, 90, 10), steps(-90, 90, 19), 9);
     const ResampledWeb coarse = *resampled_to_c(web, even_angles(0, 360, 36), even_angles(0, 90, 9));
@@ -237,6 +266,8 @@ TEST(Resample, OfTypesAAndBStatesItsError) {
     EXPECT_NEAR(std::abs(fine.web.candela(fine.max_error_c_deg, fine.max_error_gamma_deg) -
                          web.candela(fine.max_error_c_deg, fine.max_error_gamma_deg)),
                 fine.max_error.value, 1e-9);
+    const Web sampled = *sampled_on_grid(web, even_angles(0, 360, 720), even_angles(0, 90, 180));
+    EXPECT_EQ(difference(sampled, fine.web).greatest.value, 0.0);
     const ResampledWeb chosen = *resampled_to_c(web, 0.05);
     EXPECT_EQ(chosen.web.stored_symmetry(), Symmetry::bilateral_90_270);
 }
