@@ -14,8 +14,11 @@ FilesInUse::FilesInUse(std::span<const std::string> inputs) {
 }
 
 Result<void> FilesInUse::check(const std::string& output) const {
-    if (output == "-") return {};
-    const auto input = inputs_.find(file_identity(output));
+    return output == "-" ? Result<void>() : check(output, file_identity(output));
+}
+
+Result<void> FilesInUse::check(const std::string& output, const std::string& identity) const {
+    const auto input = inputs_.find(identity);
     if (input == inputs_.end()) return {};
     return fail("USE0108",
                 input->second == output
@@ -26,8 +29,8 @@ Result<void> FilesInUse::check(const std::string& output) const {
 }
 
 Result<void> FilesInUse::take(const std::string& output) {
-    if (Result<void> free = check(output); !free) return free;
     std::string identity = output == "-" ? output : file_identity(output);
+    if (Result<void> free = check(output, identity); !free) return free;
     if (identity.empty()) return {};
     const auto [other, is_new] = outputs_.emplace(std::move(identity), output);
     if (is_new) return {};

@@ -24,6 +24,8 @@ public:
     Result<void> take(const std::string& output);
 
 private:
+    Result<void> check(const std::string& output, const std::string& identity) const;
+
     std::map<std::string, std::string> inputs_;  // names by identity
     std::map<std::string, std::string> outputs_; // names by identity
 };

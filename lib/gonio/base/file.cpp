@@ -8,9 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <fcntl.h>
-#include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -124,12 +122,11 @@ bool file_exists(const std::string& path) {
 
 std::string file_identity(const std::string& path) {
     struct stat status {};
-    if (::stat(path.c_str(), &status) == 0)
-        return S_ISREG(status.st_mode) ? fmt::format("{}:{}", status.st_dev, status.st_ino) : std::string();
+    const auto number = [&] { return fmt::format("{}:{}", status.st_dev, status.st_ino); };
+    if (::stat(path.c_str(), &status) == 0) return S_ISREG(status.st_mode) ? number() : std::string();
     const std::size_t slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-    const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(folder.c_str(), nullptr), &std::free);
-    return resolved ? fmt::format("{}/{}", resolved.get(), path.substr(slash + 1)) : path;
+    return ::stat(folder.c_str(), &status) == 0 ? number() + '/' + path.substr(slash + 1) : path;
 }
 
 bool is_newer(const std::string& path, const std::string& other) {

@@ -24,7 +24,7 @@ using detail::Descriptor;
 using detail::io_failure;
 using detail::Temporary;
 
-// The target of symbolic links, so that a rename replaces the file and not the link; it need not exist.
+// The target of a symbolic link, so that a rename replaces the file and not the link; it need not exist.
 std::string behind_links(std::string path) {
     const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(path.c_str(), nullptr), &std::free);
     if (resolved) return resolved.get();
@@ -71,6 +71,16 @@ int exchange([[maybe_unused]] int folder, [[maybe_unused]] const char* a, [[mayb
 #endif
 }
 
+// Fails where there is a file of that name, or where the file system cannot do it.
+int rename_to_new([[maybe_unused]] int folder, [[maybe_unused]] const char* from, [[maybe_unused]] const char* to) {
+#ifdef RENAME_NOREPLACE
+    return ::renameat2(folder, from, folder, to, RENAME_NOREPLACE);
+#else
+    errno = ENOSYS;
+    return -1;
+#endif
+}
+
 bool is_folder_at(int folder, const char* name) {
     struct stat status {};
     return ::fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(status.st_mode);
@@ -80,6 +90,10 @@ bool is_folder_at(int folder, const char* name) {
 int take_name(Staged& file, bool undoable) {
     const char* const temporary = file.temporary->name.data();
     const char* const name = file.name.c_str();
+    if (undoable && !file.replaces && rename_to_new(file.folder, temporary, name) == 0) {
+        detail::forget(*std::exchange(file.temporary, nullptr));
+        return 0;
+    }
     if (undoable && exchange(file.folder, temporary, name) == 0) {
         if (is_folder_at(file.folder, temporary)) { // a folder was created while the file was written
             (void)exchange(file.folder, temporary, name);
@@ -139,8 +153,8 @@ struct FileSet::State {
         return folders.emplace(path, std::move(folder)).first->second.get();
     }
 
-    Result<void> stage(const std::string& path, const struct stat* existing, std::string_view bytes) {
-        const std::string target = behind_links(path);
+    Result<void> stage(const std::string& path, const std::string& target, const struct stat* existing,
+                       std::string_view bytes) {
         Staged file;
         file.path = path;
         file.name = file_name(target);
@@ -206,7 +220,9 @@ FileSet::~FileSet() = default;
 Result<void> FileSet::add(const std::string& path, std::string_view bytes) {
     if (path.empty()) return fail("FIL0103", "cannot write: the file name is empty");
     struct stat status {};
-    const bool exists = ::stat(path.c_str(), &status) == 0;
+    bool exists = ::lstat(path.c_str(), &status) == 0;
+    const bool is_link = exists && S_ISLNK(status.st_mode);
+    if (is_link) exists = ::stat(path.c_str(), &status) == 0;
     if (!exists && errno != ENOENT) return io_failure("write", path, errno);
     if (exists && S_ISDIR(status.st_mode))
         return fail("FIL0101", "cannot write: it is a folder", "name a file in it", path);
@@ -215,7 +231,7 @@ Result<void> FileSet::add(const std::string& path, std::string_view bytes) {
         state_->direct.push_back({path, std::string(bytes)});
         return {};
     }
-    return state_->stage(path, exists ? &status : nullptr, bytes);
+    return state_->stage(path, is_link ? behind_links(path) : path, exists ? &status : nullptr, bytes);
 }
 
 Result<void> FileSet::commit() {
