@@ -13,27 +13,36 @@ namespace gonio::profile_detail {
 
 namespace {
 
-// Fast paths of the same text, for numbers that files have: few digits. A double is the nearest to one decimal of at
-// most 15 significant digits, so a decimal of so many that reads back as the double is the shortest.
+// The decimal with the fewest digits that reads back as `magnitude`, below 1e14, if that is easily found. A double is
+// the nearest to one decimal of at most 15 significant digits, so any decimal of so many that reads back is it.
+std::optional<Decimal> shortest_decimal(double magnitude) {
+    double power = 1.0;
+    for (int decimals = 0; decimals <= 3; ++decimals, power *= 10.0) {
+        if (magnitude >= 1e14 / power) break;
+        const auto digits = static_cast<std::int64_t>(magnitude * power + 0.5);
+        if (static_cast<double>(digits) / power == magnitude) return Decimal{digits, decimals};
+    }
+    constexpr int few = 9; // as portable profiles have
+    std::optional<Decimal> found = nearest_decimal(magnitude, few);
+    if (!found || found->value() != magnitude) found = nearest_decimal(magnitude, most_digits_of_decimal);
+    if (!found || found->value() != magnitude) return std::nullopt;
+    while (found->digits % 10 == 0) {
+        found->digits /= 10;
+        --found->decimals;
+    }
+    return found;
+}
+
+// The same text as below, for numbers that files have: few digits.
 bool append_decimal(std::string& text, double value) {
     const double magnitude = std::abs(value);
     if (!(magnitude < 1e14)) return false;
-    Decimal decimal{static_cast<std::int64_t>(magnitude), 0};
-    if (static_cast<double>(decimal.digits) != magnitude) {
-        constexpr int few = 9; // as portable profiles have
-        std::optional<Decimal> found = nearest_decimal(magnitude, few);
-        if (!found || found->value() != magnitude) found = nearest_decimal(magnitude, most_digits_of_decimal);
-        if (!found || found->value() != magnitude) return false;
-        decimal = *found;
-        while (decimal.digits % 10 == 0) {
-            decimal.digits /= 10;
-            --decimal.decimals;
-        }
-    }
+    const std::optional<Decimal> decimal = shortest_decimal(magnitude);
+    if (!decimal) return false;
     std::array<char, 16> digits;
-    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), decimal.digits).ptr;
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), decimal->digits).ptr;
     const auto count = static_cast<std::size_t>(end - digits.data());
-    const auto decimals = static_cast<std::size_t>(decimal.decimals);
+    const auto decimals = static_cast<std::size_t>(decimal->decimals);
     if (std::signbit(value)) text += '-';
     if (decimals == 0) {
         text.append(digits.data(), count);
