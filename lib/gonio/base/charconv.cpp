@@ -79,40 +79,40 @@ std::to_chars_result put(char* first, char* last, std::string_view text) {
 }
 
 // The shortest decimal that reads as `value`, finite and above 0: its digits and the power of ten of the first.
-struct Decimal {
+struct Digits {
     std::string digits;
     int exponent = 0;
 };
 
-Decimal shortest_decimal(double value) {
+Digits shortest_digits(double value) {
     const std::string text = fmt::format("{}", value);
     const std::size_t e = text.find('e');
     const std::string_view mantissa = std::string_view(text).substr(0, e);
     const auto point = static_cast<int>(std::min(mantissa.find('.'), mantissa.size()));
-    Decimal decimal;
+    Digits shortest;
     for (const char c : mantissa)
-        if (c != '.') decimal.digits += c;
-    const std::size_t zeros = decimal.digits.find_first_not_of('0');
-    decimal.digits.erase(0, zeros);
-    decimal.digits.erase(decimal.digits.find_last_not_of('0') + 1);
-    decimal.exponent = point - 1 - static_cast<int>(zeros);
-    if (e != std::string::npos) decimal.exponent += std::atoi(text.c_str() + e + 1);
-    return decimal;
+        if (c != '.') shortest.digits += c;
+    const std::size_t zeros = shortest.digits.find_first_not_of('0');
+    shortest.digits.erase(0, zeros);
+    shortest.digits.erase(shortest.digits.find_last_not_of('0') + 1);
+    shortest.exponent = point - 1 - static_cast<int>(zeros);
+    if (e != std::string::npos) shortest.exponent += std::atoi(text.c_str() + e + 1);
+    return shortest;
 }
 
-std::string fixed(const Decimal& decimal) {
-    const auto count = static_cast<int>(decimal.digits.size());
+std::string fixed(const Digits& shortest) {
+    const auto count = static_cast<int>(shortest.digits.size());
     const auto zeros = [](int n) { return std::string(static_cast<std::size_t>(n), '0'); };
-    if (decimal.exponent < 0) return "0." + zeros(-decimal.exponent - 1) + decimal.digits;
-    if (decimal.exponent >= count - 1) return decimal.digits + zeros(decimal.exponent - (count - 1));
-    std::string text = decimal.digits;
-    return text.insert(static_cast<std::size_t>(decimal.exponent) + 1, 1, '.');
+    if (shortest.exponent < 0) return "0." + zeros(-shortest.exponent - 1) + shortest.digits;
+    if (shortest.exponent >= count - 1) return shortest.digits + zeros(shortest.exponent - (count - 1));
+    std::string text = shortest.digits;
+    return text.insert(static_cast<std::size_t>(shortest.exponent) + 1, 1, '.');
 }
 
-std::string scientific(const Decimal& decimal) {
-    std::string text = decimal.digits;
+std::string scientific(const Digits& shortest) {
+    std::string text = shortest.digits;
     if (text.size() > 1) text.insert(1, 1, '.');
-    return text + fmt::format("e{}{:02}", decimal.exponent < 0 ? '-' : '+', std::abs(decimal.exponent));
+    return text + fmt::format("e{}{:02}", shortest.exponent < 0 ? '-' : '+', std::abs(shortest.exponent));
 }
 
 } // namespace
@@ -141,9 +141,9 @@ std::to_chars_result portable_to_chars(char* first, char* last, double value, st
     else if (magnitude == 0.0)
         text += format == std::chars_format::scientific ? "0e+00" : "0";
     else if (format == std::chars_format::scientific)
-        text += scientific(shortest_decimal(magnitude));
+        text += scientific(shortest_digits(magnitude));
     else if (magnitude < 0x1p53)
-        text += fixed(shortest_decimal(magnitude));
+        text += fixed(shortest_digits(magnitude));
     else // a whole number, with all its digits
         fmt::format_to(std::back_inserter(text), "{:.0f}", magnitude);
     return put(first, last, text);
