@@ -47,7 +47,8 @@ constexpr std::array method_names{
 
 // The number of lights that are summed in sequence; a block's sum does not depend on the number of threads.
 constexpr std::size_t lights_in_block = 4096;
-constexpr double farthest = 1e100; // [m]; differences and their products stay far from overflow
+constexpr std::size_t integrals_in_task = 16; // of 0.1 to 1 ms each
+constexpr double farthest = 1e100;            // [m]; differences and their products stay far from overflow
 bool in_range(const glm::dvec3& position) {
     return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
 }
@@ -211,7 +212,11 @@ public:
         // first block goes on with the one that was not full.
         const std::size_t in_open = lights_ % lights_in_block;
         const std::size_t blocks = (in_open + lights.size() - 1) / lights_in_block + 1;
-        const std::size_t group = std::clamp<std::size_t>(lights_in_block / lights.size(), 1, 1024);
+        const bool integrates = std::any_of(lights.begin(), lights.end(), [&](const Light& light) {
+            return detail::is_integrated(light, options_.method);
+        });
+        const std::size_t in_task = integrates ? integrals_in_task : lights_in_block;
+        const std::size_t group = std::clamp<std::size_t>(in_task / lights.size(), 1, 1024);
         const std::size_t groups = (receivers_.size() - 1) / group + 1;
         std::vector<Sums> sums(receivers_.size() * blocks);
         std::vector<ProbeRemarks> remarks(groups * blocks);

@@ -174,6 +174,14 @@ bool consists_of_parts(const Light& light, IrradianceMethod method) {
     return light.parts != nullptr && (light.body == nullptr || !takes_points(method));
 }
 
+bool is_integrated(const Light& light, IrradianceMethod method) {
+    if (consists_of_parts(light, method))
+        return std::any_of(light.parts->begin(), light.parts->end(),
+                           [&](const Light& part) { return is_integrated(part, method); });
+    return has_extent(light.shape) &&
+           (method == IrradianceMethod::reference || (method == IrradianceMethod::exact && light.has_pattern()));
+}
+
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                           const ProbeWay& way) {
     const IrradianceMethod method = illuminance_method(way.method);
@@ -192,10 +200,7 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
     const bool inside = with_core_light(light.shape, light.frame, light.color, false,
                                         [&](const auto& core) { return is_within(core, to_center); });
     const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
-    // There is no closed form for a luminance that depends on the direction.
-    const bool integrated =
-        way.method == IrradianceMethod::reference || (way.method == IrradianceMethod::exact && light.has_pattern());
-    if (integrated && has_extent(light.shape)) {
+    if (is_integrated(light, way.method)) {
         const ReferenceValue e = reference_illuminance(light, position, normal, goal_of(way));
         return {bounded(e.value), e.error_estimate, remark, e.converged};
     }

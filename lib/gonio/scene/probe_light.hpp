@@ -27,6 +27,10 @@ bool takes_points(IrradianceMethod method);
 // Whether the light is the sum of its parts by that method.
 bool consists_of_parts(const Light& light, IrradianceMethod method);
 
+// Whether the light or one of its parts is integrated: there is no closed form for a luminance that depends on the
+// direction.
+bool is_integrated(const Light& light, IrradianceMethod method);
+
 // A share of the illuminance, of any colour.
 struct ProbeShare {
     double illuminance_lx = 0.0; // in [0, shading::illuminance_ceiling]

@@ -18,9 +18,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -74,20 +76,45 @@ std::optional<LightRegion> dark_part_of(const CoreLight& light, Vec center, Vec 
     return std::nullopt;
 }
 
-// The light's luminance towards the receiver from the direction ω, over Light::luminance.
+// The light's luminance towards the receiver from directions ω, over Light::luminance.
 class EmissionByDirection {
 public:
-    EmissionByDirection(const Light& light, const glm::dvec3& receiver)
-        : light_(light), receiver_(receiver), has_pattern_(light.has_pattern()) {}
+    EmissionByDirection(const Light& light, const glm::dvec3& receiver, const ReferenceGoal& goal)
+        : light_(light), receiver_(receiver), has_pattern_(light.has_pattern()) {
+        // Many at once are off by some 1e-12.
+        constexpr double fine = 1e-10;
+        if (light.image == nullptr && luminance_web(light) != nullptr && goal.relative_error >= fine)
+            shares_.emplace(light);
+    }
 
     double operator()(Vec toward) const {
         return has_pattern_ ? light_.luminance_share_at(receiver_, {toward.x, toward.y, toward.z}) : 1.0;
+    }
+
+    void operator()(std::span<const Vec> toward, std::span<double> to) {
+        if (!shares_) {
+            for (std::size_t i = 0; i < to.size(); ++i)
+                to[i] = (*this)(toward[i]);
+            return;
+        }
+        const Frame& frame = shares_->frame();
+        for (std::vector<double>* const numbers : {&x_, &y_, &z_})
+            numbers->resize(to.size());
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            const glm::dvec3 local = frame.to_local({-toward[i].x, -toward[i].y, -toward[i].z});
+            x_[i] = local.x;
+            y_[i] = local.y;
+            z_[i] = local.z;
+        }
+        shares_->along(x_, y_, z_, to);
     }
 
 private:
     const Light& light_;
     const glm::dvec3& receiver_;
     bool has_pattern_;
+    std::optional<LuminanceShares> shares_;
+    std::vector<double> x_, y_, z_; // in its frame
 };
 
 // For a function without a peak: the pole is in the light's middle.
@@ -194,21 +221,28 @@ Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& norm
     return {whole, dark_part, vec(normal), light.luminance.value * window};
 }
 
-// ∫ f(l) ⟨n·l⟩ over the light times its luminance; f is a function of the unit direction. `closed_lx` is the integral
-// for f = 1.
+// ∫ f(l) ⟨n·l⟩ over the light times its luminance; f(directions, values) is a function of unit directions. `closed_lx`
+// is the integral for f = 1.
 template<class F>
-ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges& edges, const F& f, double closed_lx,
+ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges& edges, F& f, double closed_lx,
                          const ReferenceGoal& goal) {
     const double relative_error = std::max(goal.relative_error, 1e-13);
     const double reach = p.region.reach();
     if (reach < least_reach) {
         // f varies by the square of the light's extent relative to the lobe's.
-        const double value = f(p.region.middle()) * closed_lx;
+        const Vec middle = p.region.middle();
+        double at_middle = 0.0;
+        f(std::span(&middle, 1), std::span(&at_middle, 1));
+        const double value = at_middle * closed_lx;
         const double extent = reach / (peak.width * peak.squeeze);
         const double error = value * (1e-10 + extent * extent);
         return {bounded(value), bounded(error), 1, error <= relative_error * value};
     }
-    const auto integrand = [&](Vec l) { return f(l) * std::max(dot(p.normal, l), 0.0); };
+    const auto integrand = [&](std::span<const Vec> l, std::span<double> to) {
+        f(l, to);
+        for (std::size_t i = 0; i < l.size(); ++i)
+            to[i] *= std::max(dot(p.normal, l[i]), 0.0);
+    };
     const auto over = [&](const LightRegion& region, double within) {
         detail::PolarCubature<decltype(integrand)> cubature(region, peak, integrand, edges);
         return cubature.integrate({within, goal.most_evaluations});
@@ -271,7 +305,7 @@ ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& posit
         sum.error_estimate = bounded(sum.error_estimate * window);
         return sum;
     }
-    const EmissionByDirection emission(light, position);
+    EmissionByDirection emission(light, position, goal);
     const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
     const SmoothWay way = way_of(light, p.region, p.normal, goal);
     return integrate(p, way.peak, way.edges, emission, closed_lx, goal);
@@ -286,14 +320,18 @@ ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& pos
     if (!has_extent(light.shape) || !(glm::dot(normal, view) > 0.0)) return {};
     const Pose p = pose(light, position, normal);
     if (p.region.dark() || !(p.scale > 0.0)) return {};
-    const EmissionByDirection emission(light, position);
+    EmissionByDirection emission(light, position, goal);
     const Vec v = vec(view);
     const Vec weight = vec(rec709_luminance * light.color); // to Y
     const detail::SurfaceParts parts = detail::surface_parts(material);
     const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
     const auto part = [&](const detail::SurfaceParts::Reflectance& reflectance, const PolarPeak& peak,
                           const PolarEdges& edges) {
-        const auto f = [&](Vec l) { return dot(weight, reflectance(p.normal, l, v)) * emission(l); };
+        const auto f = [&](std::span<const Vec> l, std::span<double> to) {
+            emission(l, to);
+            for (std::size_t i = 0; i < l.size(); ++i)
+                to[i] *= dot(weight, reflectance(p.normal, l[i], v));
+        };
         return integrate(p, peak, edges, f, closed_lx, goal);
     };
     const SmoothWay way = way_of(light, p.region, p.normal, goal);

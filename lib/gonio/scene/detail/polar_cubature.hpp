@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -92,8 +93,8 @@ inline constexpr GaussKronrod<15> kronrod_15(
 template<class Integrand>
 class PolarCubature {
 public:
-    // integrand(ω) for unit directions ω of the region, in [0, ∞), smooth there except for features that adaptivity
-    // resolves.
+    // integrand(directions, values) for unit directions of the region, the values in [0, ∞), smooth there except for
+    // features that adaptivity resolves.
     PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand, PolarEdges edges = {})
         : region_(region),
           integrand_(integrand),
@@ -298,10 +299,24 @@ private:
         double gauss = 0.0;
     };
 
+    // The directions of a cell at which the integrand is needed, of one ray after the other, and what its values there
+    // are multiplied by.
+    struct Nodes {
+        std::vector<Vec> directions;
+        std::vector<double> factors;
+        std::vector<double> values;
+        std::vector<double> shares; // of the pieces of rays: of u1 − u0
+
+        void clear() {
+            directions.clear();
+            factors.clear();
+            shares.clear();
+        }
+    };
+
     // Over u from u0 to u1, per du/2 there.
     template<std::size_t count>
-    RayIntegral along_ray(const GaussKronrod<count>& rule, const Ray& ray, bool horizon, double u0, double u1) {
-        RayIntegral sums;
+    void add_piece(const GaussKronrod<count>& rule, const Ray& ray, bool horizon, double u0, double u1, double share) {
         const double reach = ray.s1 - ray.s0;
         for (std::size_t j = 0; j < count; ++j) {
             const double u = 0.5 * (u0 + u1) + 0.5 * (u1 - u0) * rule.node[j];
@@ -309,29 +324,22 @@ private:
             const double s = ray.s0 + reach * (horizon ? 1.0 - left * left * left : u);
             const double theta = ray.width * std::sinh(s);
             const double sine = std::sin(theta);
-            const Vec toward = pole_ * std::cos(theta) + ray.tangent * sine;
-            const double f = integrand_(toward) * sine * std::sqrt(theta * theta + ray.width * ray.width) *
-                             (horizon ? 3.0 * left * left : 1.0);
-            sums.kronrod += rule.kronrod[j] * f;
-            sums.gauss += rule.gauss[j] * f;
+            nodes_.directions.push_back(pole_ * std::cos(theta) + ray.tangent * sine);
+            nodes_.factors.push_back(sine * std::sqrt(theta * theta + ray.width * ray.width) *
+                                     (horizon ? 3.0 * left * left : 1.0));
         }
-        evaluations_ += count;
-        return sums;
+        nodes_.shares.push_back(share);
     }
 
     // The same, divided where the ray crosses edges.
     template<std::size_t count>
-    RayIntegral along_divided_ray(const GaussKronrod<count>& rule, const Ray& ray, double u0, double u1) {
+    void add_pieces(const GaussKronrod<count>& rule, const Ray& ray, double u0, double u1) {
         const double reach = ray.s1 - ray.s0;
         const auto angle_at = [&](double u) { return ray.width * std::sinh(ray.s0 + reach * u); };
-        RayIntegral sums;
         const double last = angle_at(u1);
         double from = u0;
         const auto add = [&](double to) {
-            const RayIntegral piece = along_ray(rule, ray, false, from, to);
-            const double share = (to - from) / (u1 - u0);
-            sums.kronrod += share * piece.kronrod;
-            sums.gauss += share * piece.gauss;
+            add_piece(rule, ray, false, from, to, (to - from) / (u1 - u0));
             from = to;
         };
         for (auto edge = std::upper_bound(edges_.angles.begin(), edges_.angles.end(), angle_at(u0));
@@ -340,6 +348,22 @@ private:
             if (to > from && to < u1) add(to);
         }
         add(u1);
+    }
+
+    // Over pieces of a ray, from the first node on.
+    template<std::size_t count>
+    RayIntegral sum_of(const GaussKronrod<count>& rule, std::span<const double> shares, std::size_t node) const {
+        RayIntegral sums;
+        for (const double share : shares) {
+            RayIntegral piece;
+            for (std::size_t j = 0; j < count; ++j, ++node) {
+                const double f = nodes_.values[node] * nodes_.factors[node];
+                piece.kronrod += rule.kronrod[j] * f;
+                piece.gauss += rule.gauss[j] * f;
+            }
+            sums.kronrod += share * piece.kronrod;
+            sums.gauss += share * piece.gauss;
+        }
         return sums;
     }
 
@@ -352,21 +376,33 @@ private:
 
     template<std::size_t count>
     void evaluate_by(const GaussKronrod<count>& rule, Cell& cell) {
-        double kk = 0.0;
-        double gk = 0.0; // Gauss over the azimuth
-        double kg = 0.0; // Gauss along the rays
+        std::array<double, count> measures{};  // of the rays
+        std::array<std::size_t, count> ends{}; // of their pieces
         const bool horizon = sections_[cell.section].horizon;
+        nodes_.clear();
         for (std::size_t i = 0; i < count; ++i) {
             const double t = 0.5 * (cell.t0 + cell.t1) + 0.5 * (cell.t1 - cell.t0) * rule.node[i];
             const Ray ray = cast(cell.section, t);
             const double reach = ray.s1 - ray.s0;
-            if (!(reach > 0.0)) continue;
-            const RayIntegral sums = edged_ ? along_divided_ray(rule, ray, cell.u0, cell.u1)
-                                            : along_ray(rule, ray, horizon, cell.u0, cell.u1);
-            const double measure = ray.measure * reach;
-            kk += rule.kronrod[i] * sums.kronrod * measure;
-            gk += rule.gauss[i] * sums.kronrod * measure;
-            kg += rule.kronrod[i] * sums.gauss * measure;
+            if (reach > 0.0 && edged_)
+                add_pieces(rule, ray, cell.u0, cell.u1);
+            else if (reach > 0.0)
+                add_piece(rule, ray, horizon, cell.u0, cell.u1, 1.0);
+            measures[i] = ray.measure * reach;
+            ends[i] = nodes_.shares.size();
+        }
+        nodes_.values.resize(nodes_.directions.size());
+        integrand_(nodes_.directions, nodes_.values);
+        evaluations_ += nodes_.directions.size();
+        double kk = 0.0;
+        double gk = 0.0; // Gauss over the azimuth
+        double kg = 0.0; // Gauss along the rays
+        for (std::size_t i = 0, first = 0; i < count; first = ends[i++]) {
+            const auto shares = std::span<const double>(nodes_.shares).subspan(first, ends[i] - first);
+            const RayIntegral sums = sum_of(rule, shares, first * count);
+            kk += rule.kronrod[i] * sums.kronrod * measures[i];
+            gk += rule.gauss[i] * sums.kronrod * measures[i];
+            kg += rule.kronrod[i] * sums.gauss * measures[i];
         }
         const double area = 0.25 * (cell.t1 - cell.t0) * (cell.u1 - cell.u0);
         cell.value = kk * area;
@@ -389,6 +425,7 @@ private:
     double offset_ = 0.0;
     std::vector<Section> sections_;
     std::vector<Cell> cells_;
+    Nodes nodes_;
     std::size_t evaluations_ = 0;
 };
 
