@@ -6,6 +6,7 @@
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/plane_rows.hpp>
+#include <gonio/web/quick_web.hpp>
 #include <gonio/web/symmetry.hpp>
 #include <gonio/web/web_rows.hpp>
 
@@ -117,12 +118,7 @@ public:
                 }
             }
         }
-        for (const Web* const web : {&a_, &b_})
-            for (const double h : web->horizontal_deg())
-                for (const double v : web->vertical_deg()) {
-                    const glm::dvec3 direction = direction_of(web->photometry(), {h, v});
-                    look_at(angles_of(Photometry::c, direction), a_.candela(direction), b_.candela(direction));
-                }
+        over_tables();
     }
 
     WebDifference result() {
@@ -158,6 +154,35 @@ private:
         double low;
         double high;
     };
+
+    // At the points of the tables of two webs of different types, which are asked exactly only where the difference may
+    // be the greatest.
+    void over_tables() {
+        const QuickWeb quick_a(a_);
+        const QuickWeb quick_b(b_);
+        const double margin_cd = quick_a.margin_cd() + quick_b.margin_cd();
+        std::vector<double> x, y, z, a_row, b_row;
+        for (const Web* const web : {&a_, &b_}) {
+            const std::span<const double> vertical_deg = web->vertical_deg();
+            for (std::vector<double>* const numbers : {&x, &y, &z, &a_row, &b_row})
+                numbers->resize(vertical_deg.size());
+            for (const double h : web->horizontal_deg()) {
+                for (std::size_t j = 0; j < vertical_deg.size(); ++j) {
+                    const glm::dvec3 direction = direction_of(web->photometry(), {h, vertical_deg[j]});
+                    x[j] = direction.x;
+                    y[j] = direction.y;
+                    z[j] = direction.z;
+                }
+                quick_a.candela(x, y, z, a_row);
+                quick_b.candela(x, y, z, b_row);
+                for (std::size_t j = 0; j < vertical_deg.size(); ++j) {
+                    if (std::abs(a_row[j] - b_row[j]) + margin_cd <= found_.greatest.value) continue;
+                    const glm::dvec3 direction(x[j], y[j], z[j]);
+                    look_at(angles_of(Photometry::c, direction), a_.candela(direction), b_.candela(direction));
+                }
+            }
+        }
+    }
 
     // In the order (low, low), (low, high), (high, low), (high, high).
     using Corners = std::array<double, 4>;
