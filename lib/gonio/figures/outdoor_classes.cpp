@@ -1,5 +1,6 @@
 #include <gonio/figures/outdoor_classes.hpp>
 #include <gonio/light/projected_area.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace gonio {
 
@@ -85,9 +88,15 @@ HighAngles high_angles(const Web& web) {
         }
         return high;
     }
+    std::vector<double> gammas_deg;
     for (int gamma_deg = 70; gamma_deg <= 180; ++gamma_deg)
-        for (int c_deg = 0; c_deg < 360; c_deg += 2)
-            take(gamma_deg, web.candela(c_deg, gamma_deg));
+        gammas_deg.push_back(gamma_deg);
+    web_detail::WebRows rows(web, gammas_deg);
+    for (int c_deg = 0; c_deg < 360; c_deg += 2) {
+        const std::span<const double> row = rows.quick(c_deg);
+        for (std::size_t j = 0; j < row.size(); ++j)
+            take(gammas_deg[j], row[j]);
+    }
     return high;
 }
 

@@ -59,17 +59,18 @@ struct FirstFall {
 class ZonalFlux {
 public:
     explicit ZonalFlux(const Web& web) {
-        const MeanIntensity mean(web);
-        for (std::size_t i = 0; i < zones_lm_.size(); ++i) {
-            const double gamma_deg = 10.0 * static_cast<double>(i) + 5.0;
-            zones_lm_[i] = 2.0 * pi * std::sin(gamma_deg / degrees_per_radian) * (pi / 18.0) * mean.candela(gamma_deg);
-        }
+        std::array<double, zones> middles_deg;
+        for (std::size_t i = 0; i < zones; ++i)
+            middles_deg[i] = 10.0 * static_cast<double>(i) + 5.0;
+        const std::vector<double> mean_cd = mean_candela(web, middles_deg);
+        for (std::size_t i = 0; i < zones; ++i)
+            zones_lm_[i] = 2.0 * pi * std::sin(middles_deg[i] / degrees_per_radian) * (pi / 18.0) * mean_cd[i];
     }
 
     FirstFall first_fall(const UgrRoom& room) const {
-        const auto up_to = [&](std::size_t zones, double of_next) {
-            double sum = of_next * zones_lm_[zones];
-            for (std::size_t i = 0; i < zones; ++i)
+        const auto up_to = [&](std::size_t whole, double of_next) {
+            double sum = of_next * zones_lm_[whole];
+            for (std::size_t i = 0; i < whole; ++i)
                 sum += zones_lm_[i];
             return sum;
         };
@@ -85,7 +86,8 @@ public:
     }
 
 private:
-    std::array<double, 18> zones_lm_{};
+    static constexpr std::size_t zones = 18;
+    std::array<double, zones> zones_lm_{};
 };
 
 // What the walls receive in the end, for each room and set of reflectances.

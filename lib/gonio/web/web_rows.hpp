@@ -1,4 +1,4 @@
-// A web's intensities on many planes of C at the same γ: each γ is found once. Internal to the web room.
+// A web's intensities on many planes of C at the same γ: each γ is found once. Internal to the library.
 #pragma once
 
 #include <gonio/web/native_rows.hpp>
