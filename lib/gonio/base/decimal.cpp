@@ -1,9 +1,9 @@
 #include <gonio/base/decimal.hpp>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace gonio {
 
@@ -21,7 +21,9 @@ double Decimal::value() const {
 
 std::optional<Decimal> nearest_decimal(double magnitude, int digits) {
     if (!(magnitude >= 1e-7 && magnitude < 1e14) || digits < 1 || digits > most_digits_of_decimal) return std::nullopt;
-    const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52) - 1023;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &magnitude, sizeof(bits));
+    const int exponent = static_cast<int>(bits >> 52U) - 1023;
     // The decimal exponent or one less: log₁₀ 2 is 78913/2¹⁸.
     int decimals = digits - 1 - ((exponent * 78913) >> 18);
     const double above = powers.at(static_cast<std::size_t>(digits));

@@ -34,7 +34,10 @@ QuickWeb::Axis::Axis(std::span<const double> angles) : angles_deg(angles) {
     never_above = last + close_deg;
     narrowest_deg = std::numeric_limits<double>::infinity();
     const std::size_t cells = angles.size() - 1;
-    if (cells == 0) return;
+    if (cells == 0) {
+        per_deg.push_back(0.0); // no angle is surely inside, but each has a cell
+        return;
+    }
     double widest_deg = 0.0;
     for (std::size_t i = 0; i < cells; ++i) {
         const double width_deg = angles[i + 1] - angles[i];

@@ -67,6 +67,7 @@ std::vector<Case> cases() {
     all.push_back({"open", random_web(Symmetry::none, {10, 20, 345}, {0, 30, 60}, 6)});
     all.push_back({"turned", random_web(Symmetry::none, steps(-90, 270, 13), steps(0, 180, 19), 7)});
     all.push_back({"one plane", random_web(Symmetry::none, {0, 360}, {0, 0.001, 90, 90.0001, 180}, 8)});
+    all.push_back({"one gamma", random_web(Symmetry::none, {0, 90, 200, 360}, {45}, 9)});
     const auto native = [](Photometry type, Symmetry stored, std::vector<double> h, std::vector<double> v) {
         std::vector<double> candela;
         std::mt19937 generator(static_cast<unsigned>(h.size()));
@@ -78,6 +79,7 @@ std::vector<Case> cases() {
     all.push_back({"A, mirrored", native(Photometry::a, Symmetry::quadrant, {0, 3, 40, 80}, {0, 10, 11, 70})});
     all.push_back({"B", native(Photometry::b, Symmetry::none, steps(-90, 90, 25), steps(-180, 180, 25))});
     all.push_back({"B, mirrored", native(Photometry::b, Symmetry::bilateral_0_180, steps(-60, 60, 14), {0, 5, 90})});
+    all.push_back({"B, one H", native(Photometry::b, Symmetry::none, {5}, {-10, 0, 10})});
     return all;
 }
 
