@@ -363,6 +363,11 @@ TEST(Reference, AMaskModulatesEveryPoint) {
     const ReferenceValue e = reference_illuminance(light, origin, n, {1e-6, 4'000'000});
     EXPECT_TRUE(e.converged);
     EXPECT_NEAR(e.value, sum, 3e-6 * sum);
+    // For a fine goal the mask is looked up direction by direction, and not many at once.
+    const ReferenceValue fine = reference_illuminance(light, origin, n, {1e-11, 40'000'000});
+    EXPECT_TRUE(fine.converged);
+    EXPECT_NEAR(e.value, fine.value, 1e-6 * fine.value);
+    EXPECT_NEAR(reference_illuminance(light, origin, n, {1e-10, 40'000'000}).value, fine.value, 1e-10 * fine.value);
     // `exact` has no closed form here and integrates too; the other methods take the mask from the centre.
     const Receiver receiver{origin, n};
     ProbeOptions options;

@@ -6,7 +6,7 @@
 // Where a ray ends at the horizon the steps shrink with the cube, because shadowing there rises from 0 within a height
 // of α. Cells of (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens
 // et al., "QUADPACK", 1983), and the worst cell is halved along its worse side until the sum of the errors is small
-// enough.
+// enough. All directions of a cell are evaluated at once.
 //
 // Along known edges of the integrand, such as the grid of a measured profile about the pole, sections and rays are
 // divided beforehand. Between them the integrand is simple, and rules of 3 and 7 nodes are used.
