@@ -31,7 +31,7 @@ std::optional<Decimal> nearest_decimal(double magnitude, int digits) {
     if (magnitude * powers.at(static_cast<std::size_t>(decimals)) >= above) --decimals;
     if (decimals < 0) return std::nullopt;
     const double scaled = magnitude * powers.at(static_cast<std::size_t>(decimals));
-    const double whole = (scaled + 0x1.8p52) - 0x1.8p52; // the nearest integer
+    const double whole = nearest_integer(scaled);
     const double least = powers.at(static_cast<std::size_t>(digits) - 1);
     // The product is off by 1e-16 of up to 1e14.
     if (!(scaled >= least && scaled < above) || std::abs(scaled - whole) > 0.45) return std::nullopt;

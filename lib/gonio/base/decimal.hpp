@@ -6,6 +6,12 @@
 
 namespace gonio {
 
+// The nearest integer, of two the even one; `value` in [0, 2⁵¹).
+inline double nearest_integer(double value) {
+    constexpr double ones = 0x1.8p52; // the last digit of such numbers is 1
+    return (value + ones) - ones;
+}
+
 // digits / 10^decimals
 struct Decimal {
     std::int64_t digits = 0;

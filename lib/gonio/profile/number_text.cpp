@@ -19,7 +19,7 @@ std::optional<Decimal> shortest_decimal(double magnitude) {
     double power = 1.0;
     for (int decimals = 0; decimals <= 3; ++decimals, power *= 10.0) {
         if (magnitude >= 1e14 / power) break;
-        const auto digits = static_cast<std::int64_t>(magnitude * power + 0.5);
+        const auto digits = static_cast<std::int64_t>(nearest_integer(magnitude * power));
         if (static_cast<double>(digits) / power == magnitude) return Decimal{digits, decimals};
     }
     constexpr int few = 9; // as portable profiles have
