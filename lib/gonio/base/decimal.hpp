@@ -24,8 +24,8 @@ struct Decimal {
 inline constexpr int most_digits_of_decimal = 14;
 
 // The nearest number of so many significant digits, of which the last may be zeros; 1 to most_digits_of_decimal. None
-// where a product does not find it: outside of [1e-7, 1e14), where it would have no decimals and more digits, and near
-// the middle between two.
+// where a product does not find it: outside of [1e-7, 1e14), with fewer digits than `magnitude` has before its point,
+// and near the middle between two.
 std::optional<Decimal> nearest_decimal(double magnitude, int digits);
 
 } // namespace gonio

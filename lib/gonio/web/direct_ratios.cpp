@@ -32,10 +32,10 @@ std::size_t mirrored(std::size_t azimuth) {
 }
 
 // Light at each γ, [azimuth in the first eighth][γ], summed over the mirror images.
-using Light = std::array<std::array<double, gammas>, eighth>;
+using EighthLight = std::array<std::array<double, gammas>, eighth>;
 
 // A γ is looked up once in each stored plane, and azimuths that a symmetry makes the same are taken once.
-void add_type_c(const Web& web, std::span<const double> gammas_deg, Light& light) {
+void add_type_c(const Web& web, std::span<const double> gammas_deg, EighthLight& light) {
     struct Cell {
         std::size_t to;
         std::size_t low; // planes
@@ -77,7 +77,7 @@ void add_type_c(const Web& web, std::span<const double> gammas_deg, Light& light
     }
 }
 
-void add_native(const Web& web, std::span<const double> gammas_deg, Light& light) {
+void add_native(const Web& web, std::span<const double> gammas_deg, EighthLight& light) {
     web_detail::NativeRows rows(web, gammas_deg);
     std::array<double, gammas> candela;
     for (std::size_t i = 0; i < azimuths; ++i) {
@@ -95,7 +95,7 @@ std::array<double, 10> direct_ratios(const Web& web) {
     std::array<double, gammas> gammas_deg;
     for (std::size_t j = 0; j < gammas; ++j)
         gammas_deg[j] = (static_cast<double>(j) + 0.5) / gamma_parts;
-    Light light{};
+    EighthLight light{};
     if (web.photometry() == Photometry::c)
         add_type_c(web, gammas_deg, light);
     else
