@@ -62,19 +62,14 @@ struct Direct {
     std::string bytes;
 };
 
-int exchange([[maybe_unused]] int folder, [[maybe_unused]] const char* a, [[maybe_unused]] const char* b) {
-#ifdef RENAME_EXCHANGE
-    return ::renameat2(folder, a, folder, b, RENAME_EXCHANGE);
-#else
-    errno = ENOSYS;
-    return -1;
-#endif
-}
+// In place of RENAME_EXCHANGE and RENAME_NOREPLACE, which not every system has.
+enum class RenameWay { exchange, to_new };
 
-// Fails where there is a file of that name, or where the file system cannot do it.
-int rename_to_new([[maybe_unused]] int folder, [[maybe_unused]] const char* from, [[maybe_unused]] const char* to) {
-#ifdef RENAME_NOREPLACE
-    return ::renameat2(folder, from, folder, to, RENAME_NOREPLACE);
+// Fails where the file system cannot do it, without a file of the other name to exchange with, or with one to_new.
+int rename_by([[maybe_unused]] RenameWay way, [[maybe_unused]] int folder, [[maybe_unused]] const char* from,
+              [[maybe_unused]] const char* to) {
+#if defined(RENAME_EXCHANGE) && defined(RENAME_NOREPLACE)
+    return ::renameat2(folder, from, folder, to, way == RenameWay::exchange ? RENAME_EXCHANGE : RENAME_NOREPLACE);
 #else
     errno = ENOSYS;
     return -1;
@@ -90,13 +85,13 @@ bool is_folder_at(int folder, const char* name) {
 int take_name(Staged& file, bool undoable) {
     const char* const temporary = file.temporary->name.data();
     const char* const name = file.name.c_str();
-    if (undoable && !file.replaces && rename_to_new(file.folder, temporary, name) == 0) {
+    if (undoable && !file.replaces && rename_by(RenameWay::to_new, file.folder, temporary, name) == 0) {
         detail::forget(*std::exchange(file.temporary, nullptr));
         return 0;
     }
-    if (undoable && exchange(file.folder, temporary, name) == 0) {
+    if (undoable && rename_by(RenameWay::exchange, file.folder, temporary, name) == 0) {
         if (is_folder_at(file.folder, temporary)) { // a folder was created while the file was written
-            (void)exchange(file.folder, temporary, name);
+            (void)rename_by(RenameWay::exchange, file.folder, temporary, name);
             return EISDIR;
         }
         file.old = std::exchange(file.temporary, nullptr);

@@ -5,6 +5,10 @@
 // the reflectances P, the lumens that reach each surface in the end are M φ, M = (1 − FᵀP)⁻¹.
 #pragma once
 
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstddef>
 #include <string>
 
 #pragma GCC visibility push(default)
@@ -43,6 +47,19 @@ struct FluxTransfer {
 // That of a room of sides x and y, in units of its height; infinite sides make walls that receive nothing. The
 // reflectances must not all be 1.
 FluxTransfer flux_transfer(double x, double y, const RoomReflectances& reflectances);
+
+// The same for a table: a row for each room, whose sides are sides_of(row), and a column for each set of reflectances.
+template<std::size_t rooms, std::size_t sets, class SidesOf>
+std::array<std::array<FluxTransfer, sets>, rooms> flux_transfers(const std::array<RoomReflectances, sets>& reflectances,
+                                                                 const SidesOf& sides_of) {
+    std::array<std::array<FluxTransfer, sets>, rooms> table;
+    for (std::size_t row = 0; row < rooms; ++row) {
+        const glm::dvec2 sides = sides_of(row);
+        for (std::size_t column = 0; column < sets; ++column)
+            table[row][column] = flux_transfer(sides.x, sides.y, reflectances[column]);
+    }
+    return table;
+}
 
 } // namespace gonio
 #pragma GCC visibility pop

@@ -90,22 +90,11 @@ private:
     std::array<double, zones> zones_lm_{};
 };
 
-// What the walls receive in the end, for each room and set of reflectances.
-using ToWalls = std::array<std::array<FluxTransfer::Sources, ugr_reflectances.size()>, ugr_rooms.size()>;
-
-ToWalls transfer_to_walls() {
-    ToWalls all;
-    for (std::size_t row = 0; row < ugr_rooms.size(); ++row)
-        for (std::size_t column = 0; column < ugr_reflectances.size(); ++column)
-            all[row][column] =
-                flux_transfer(ugr_rooms[row].across, ugr_rooms[row].along, ugr_reflectances[column]).walls_from;
-    return all;
-}
-
 // Luminance of the walls, where each of the room's luminaires has these lumens.
 double background_nt(std::size_t row, std::size_t column, const FirstFall& first, double spacing) {
-    static const ToWalls to_walls = transfer_to_walls();
-    const FluxTransfer::Sources& from = to_walls[row][column];
+    static const auto transfers = flux_transfers<ugr_rooms.size()>(
+        ugr_reflectances, [](std::size_t of) { return glm::dvec2(ugr_rooms[of].across, ugr_rooms[of].along); });
+    const FluxTransfer::Sources& from = transfers[row][column].walls_from;
     const UgrRoom& room = ugr_rooms[row];
     const double reflected_lm =
         first.floor_lm * from.floor + first.walls_lm * (from.walls - 1.0) + first.ceiling_lm * from.ceiling;
@@ -120,9 +109,8 @@ public:
     struct Place {
         double aside_deg; // from the line of sight
         double gamma_deg;
-        glm::dvec3 crosswise; // from the luminaire to the eye, in axes of which X points crosswise
-        glm::dvec3 endwise;
-        double weight; // 1/(d²p²); 0 outside the table of p
+        glm::dvec3 to_eye; // from the luminaire, seen crosswise along its X
+        double weight;     // 1/(d²p²); 0 outside the table of p
     };
 
     explicit Lattice(double spacing)
@@ -138,7 +126,6 @@ public:
                 places_.push_back({std::atan2(t, r) * degrees_per_radian,
                                    std::atan(std::hypot(r, t)) * degrees_per_radian,
                                    {r / d, t / d, -1.0 / d},
-                                   {t / d, r / d, -1.0 / d},
                                    index ? 1.0 / (d * d * *index * *index) : 0.0});
             }
     }
@@ -169,7 +156,8 @@ public:
     // L²A [cd²/m²] towards the eye; none if light comes from no area.
     std::optional<double> operator()(const Lattice::Place& place, bool endwise) const {
         const double c_deg = first_c_deg_ + (endwise ? 90.0 - place.aside_deg : place.aside_deg);
-        const glm::dvec3& to = endwise ? place.endwise : place.crosswise;
+        const glm::dvec3& seen = place.to_eye;
+        const glm::dvec3 to = endwise ? glm::dvec3(seen.y, seen.x, seen.z) : seen;
         const double area_m2 =
             projected_area_m2(opening_, {to.x * x_.x - to.y * x_.y, to.x * x_.y + to.y * x_.x, to.z});
         const Web& looked_up = luminances_ ? *luminances_ : web_;

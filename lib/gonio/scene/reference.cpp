@@ -87,14 +87,14 @@ public:
             shares_.emplace(light);
     }
 
-    double operator()(Vec toward) const {
-        return has_pattern_ ? light_.luminance_share_at(receiver_, {toward.x, toward.y, toward.z}) : 1.0;
-    }
-
     void operator()(std::span<const Vec> toward, std::span<double> to) {
+        if (!has_pattern_) {
+            std::fill(to.begin(), to.end(), 1.0);
+            return;
+        }
         if (!shares_) {
             for (std::size_t i = 0; i < to.size(); ++i)
-                to[i] = (*this)(toward[i]);
+                to[i] = light_.luminance_share_at(receiver_, {toward[i].x, toward[i].y, toward[i].z});
             return;
         }
         const Frame& frame = shares_->frame();

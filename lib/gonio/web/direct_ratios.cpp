@@ -1,14 +1,13 @@
 #include <gonio/web/direct_ratios.hpp>
-#include <gonio/web/native_rows.hpp>
-#include <gonio/web/plane_rows.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <span>
-#include <tuple>
-#include <vector>
+#include <utility>
 
 namespace gonio {
 
@@ -31,61 +30,23 @@ std::size_t mirrored(std::size_t azimuth) {
     return std::min(in_quarter, azimuths / 4 - 1 - in_quarter);
 }
 
-// Light at each γ, [azimuth in the first eighth][γ], summed over the mirror images.
+// Light at each γ, [azimuth in the first eighth][γ], summed over the mirror images. Azimuths that a symmetry of the web
+// makes the same are looked up once.
 using EighthLight = std::array<std::array<double, gammas>, eighth>;
 
-// A γ is looked up once in each stored plane, and azimuths that a symmetry makes the same are taken once.
-void add_type_c(const Web& web, std::span<const double> gammas_deg, EighthLight& light) {
-    struct Cell {
-        std::size_t to;
-        std::size_t low; // planes
-        std::size_t high;
-        double weight;
-    };
-    const std::span<const double> planes = web.planes_deg();
-    std::vector<double> candela; // [plane][γ]
-    const web_detail::PlaneRows rows(web, gammas_deg);
-    for (const double plane : planes)
-        rows.append(plane, candela);
-    std::vector<Cell> cells;
-    for (std::size_t i = 0; i < azimuths; ++i) {
-        const double c_deg = web.folded_c_deg(azimuth_deg(i));
-        if (web.stored_symmetry() == Symmetry::axial) {
-            cells.push_back({mirrored(i), 0, 0, 0.0});
-            continue;
-        }
-        if (c_deg < planes.front() || c_deg > planes.back()) continue;
-        const auto above =
-            static_cast<std::size_t>(std::upper_bound(planes.begin(), planes.end(), c_deg) - planes.begin());
-        const std::size_t high = std::min(above, planes.size() - 1);
-        const std::size_t low = above - 1;
-        const double width = planes[high] - planes[low];
-        cells.push_back({mirrored(i), low, high, width > 0.0 ? (c_deg - planes[low]) / width : 0.0});
-    }
-    const auto key = [](const Cell& cell) { return std::tuple(cell.to, cell.low, cell.weight); };
-    std::sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) { return key(a) < key(b); });
-    for (auto first = cells.begin(); first != cells.end();) {
-        const auto end = std::find_if(first, cells.end(), [&](const Cell& cell) { return key(cell) != key(*first); });
-        const auto count = static_cast<double>(end - first);
-        const double* const low = candela.data() + first->low * gammas;
-        const double* const high = candela.data() + first->high * gammas;
-        const double weight = first->weight;
-        std::array<double, gammas>& to = light.at(first->to);
+EighthLight light_of(const Web& web, std::span<const double> gammas_deg) {
+    std::map<std::pair<std::size_t, double>, int> counts; // by eighth and C
+    for (std::size_t i = 0; i < azimuths; ++i)
+        ++counts[{mirrored(i), web.photometry() == Photometry::c ? web.folded_c_deg(azimuth_deg(i)) : azimuth_deg(i)}];
+    EighthLight light{};
+    web_detail::WebRows rows(web, gammas_deg);
+    for (const auto& [at, count] : counts) {
+        const auto& [to, c_deg] = at;
+        const std::span<const double> row = rows.quick(c_deg);
         for (std::size_t j = 0; j < gammas; ++j)
-            to[j] += count * std::max(0.0, low[j] + weight * (high[j] - low[j]));
-        first = end;
+            light[to][j] += count * std::max(0.0, row[j]);
     }
-}
-
-void add_native(const Web& web, std::span<const double> gammas_deg, EighthLight& light) {
-    web_detail::NativeRows rows(web, gammas_deg);
-    std::array<double, gammas> candela;
-    for (std::size_t i = 0; i < azimuths; ++i) {
-        rows.quick(azimuth_deg(i), candela);
-        std::array<double, gammas>& to = light.at(mirrored(i));
-        for (std::size_t j = 0; j < gammas; ++j)
-            to[j] += std::max(0.0, candela[j]);
-    }
+    return light;
 }
 
 } // namespace
@@ -95,11 +56,7 @@ std::array<double, 10> direct_ratios(const Web& web) {
     std::array<double, gammas> gammas_deg;
     for (std::size_t j = 0; j < gammas; ++j)
         gammas_deg[j] = (static_cast<double>(j) + 0.5) / gamma_parts;
-    EighthLight light{};
-    if (web.photometry() == Photometry::c)
-        add_type_c(web, gammas_deg, light);
-    else
-        add_native(web, gammas_deg, light);
+    const EighthLight light = light_of(web, gammas_deg);
     std::array<double, eighth> across; // cos C and sin C
     std::array<double, eighth> along;
     for (std::size_t i = 0; i < eighth; ++i) {

@@ -112,24 +112,6 @@ void QuickWeb::locate(const Axis& axis, std::span<const double> angles_deg, Plac
 }
 
 void QuickWeb::fold(std::span<double> c_deg) const {
-    switch (web_.stored_symmetry()) {
-    case Symmetry::axial:
-        return;
-    case Symmetry::quadrant:
-        for (double& c : c_deg)
-            c = std::min(std::abs(c), 180.0 - std::abs(c));
-        return;
-    case Symmetry::bilateral_0_180:
-        for (double& c : c_deg)
-            c = std::abs(c);
-        return;
-    case Symmetry::bilateral_90_270:
-        for (double& c : c_deg)
-            c = std::abs(c) < 90.0 ? 180.0 - c : c < 0.0 ? c + 360.0 : c;
-        return;
-    case Symmetry::none:
-        break;
-    }
     // Just before the first plane is just after the last one.
     const double end = horizontal_.never_below + 360.0;
     for (double& c : c_deg) {

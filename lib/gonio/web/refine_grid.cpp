@@ -1,10 +1,8 @@
 #include <gonio/web/refine_grid.hpp>
-#include <gonio/web/web_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,29 +30,6 @@ struct Step {
     double error = 0.0;
 };
 
-// Intensities on planes at the same γ, to some 1e-12.
-class Rows {
-public:
-    Rows(const Light& light, const std::vector<double>& gammas_deg)
-        : light_(light), gammas_deg_(gammas_deg), row_(gammas_deg.size()) {
-        if (light.web != nullptr) of_web_.emplace(*light.web, gammas_deg);
-    }
-
-    // Lasts until the next call.
-    std::span<const double> at(double c_deg) {
-        if (of_web_) return of_web_->quick(c_deg);
-        for (std::size_t j = 0; j < row_.size(); ++j)
-            row_[j] = light_.candela(c_deg, gammas_deg_[j]);
-        return row_;
-    }
-
-private:
-    const Light& light_;
-    const std::vector<double>& gammas_deg_;
-    std::optional<WebRows> of_web_;
-    std::vector<double> row_;
-};
-
 // Intensities at the angles of a grid and the midpoints between them.
 class Samples {
 public:
@@ -69,13 +44,13 @@ public:
         std::vector<double> new_gammas;
         for (std::size_t j = 0; j < gammas.size(); ++j)
             if (of_gamma[j] == gammas_deg.size()) new_gammas.push_back(gammas[j]);
-        Rows of_all(light_, gammas);
-        Rows of_new(light_, new_gammas);
+        LightRows of_all(light_, gammas);
+        LightRows of_new(light_, new_gammas);
         std::vector<double> all;
         all.reserve(planes.size() * gammas.size());
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const bool is_known = of_plane[i] < planes_deg.size();
-            std::span<const double> found = is_known ? of_new.at(planes[i]) : of_all.at(planes[i]);
+            std::span<const double> found = is_known ? of_new.quick(planes[i]) : of_all.quick(planes[i]);
             for (const std::size_t j : of_gamma) {
                 if (is_known && j < gammas_deg.size()) {
                     all.push_back(candela[of_plane[i] * gammas_deg.size() + j]);

@@ -72,20 +72,14 @@ void measure(const web_detail::Light& before, ResampledWeb& result) {
     WorstError worst(before, result);
     const std::vector<double> gammas = fifths(result.web.vertical_deg());
     const std::vector<double> planes = fifths(result.web.horizontal_deg());
-    if (before.web != nullptr) {
-        web_detail::WebRows of_before(*before.web, gammas);
-        web_detail::WebRows of_result(result.web, gammas);
-        for (const double c : planes) {
-            const std::span<const double> here = of_before.quick(c);
-            const std::span<const double> there = of_result.exact(c);
-            for (std::size_t j = 0; j < gammas.size(); ++j)
-                if (std::abs(there[j] - here[j]) + of_before.margin_cd() > result.max_error.value)
-                    worst.look_at(c, gammas[j]);
-        }
-    } else {
-        for (const double c : planes)
-            for (const double gamma : gammas)
-                worst.look_at(c, gamma);
+    web_detail::LightRows of_before(before, gammas);
+    web_detail::WebRows of_result(result.web, gammas);
+    for (const double c : planes) {
+        const std::span<const double> here = of_before.quick(c);
+        const std::span<const double> there = of_result.exact(c);
+        for (std::size_t j = 0; j < gammas.size(); ++j)
+            if (std::abs(there[j] - here[j]) + of_before.margin_cd() > result.max_error.value)
+                worst.look_at(c, gammas[j]);
     }
     for (const GoniometerAngles& at : before.points)
         worst.look_at(at.horizontal_deg, at.vertical_deg);
@@ -109,16 +103,10 @@ Result<Web> sampled(const web_detail::Light& light, Symmetry stored, std::vector
                     std::vector<double> gammas_deg) {
     std::vector<double> candela;
     candela.reserve(planes_deg.size() * gammas_deg.size());
-    if (light.web != nullptr) {
-        web_detail::WebRows rows(*light.web, gammas_deg);
-        for (const double c : planes_deg) {
-            const std::span<const double> row = rows.exact(c);
-            candela.insert(candela.end(), row.begin(), row.end());
-        }
-    } else {
-        for (const double c : planes_deg)
-            for (const double gamma : gammas_deg)
-                candela.push_back(light.candela(c, gamma));
+    web_detail::LightRows rows(light, gammas_deg);
+    for (const double c : planes_deg) {
+        const std::span<const double> row = rows.exact(c);
+        candela.insert(candela.end(), row.begin(), row.end());
     }
     return Web::create(stored, std::move(planes_deg), std::move(gammas_deg), std::move(candela));
 }
@@ -175,6 +163,22 @@ std::vector<double> even_angles(double first, double last, std::size_t count) {
 }
 
 namespace web_detail {
+
+LightRows::LightRows(const Light& light, std::span<const double> gammas_deg)
+    : light_(light), gammas_deg_(gammas_deg), row_(gammas_deg.size()) {
+    if (light.web != nullptr) of_web_.emplace(*light.web, gammas_deg);
+}
+
+std::span<const double> LightRows::exact(double c_deg) {
+    if (of_web_) return of_web_->exact(c_deg);
+    for (std::size_t j = 0; j < row_.size(); ++j)
+        row_[j] = light_.candela(c_deg, gammas_deg_[j]);
+    return row_;
+}
+
+std::span<const double> LightRows::quick(double c_deg) {
+    return of_web_ ? of_web_->quick(c_deg) : exact(c_deg);
+}
 
 std::vector<GoniometerAngles> table_directions(const Web& web) {
     std::vector<GoniometerAngles> all;

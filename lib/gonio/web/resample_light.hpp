@@ -5,8 +5,11 @@
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/web.hpp>
+#include <gonio/web/web_rows.hpp>
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace gonio::web_detail {
@@ -16,6 +19,25 @@ struct Light {
     std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is evaluated there too
     std::vector<double> gammas_deg = {};  // γ of bends that follow a C-plane: a chosen grid includes them
     const Web* web = nullptr;             // whose light this is, if there is one: the same, but faster
+};
+
+// A light on planes at the same γ. What its functions return lasts until the next call.
+class LightRows {
+public:
+    // The light and the γ must outlive this.
+    LightRows(const Light& light, std::span<const double> gammas_deg);
+
+    // candela() at each γ.
+    std::span<const double> exact(double c_deg);
+    // The same within margin_cd(), in less time.
+    std::span<const double> quick(double c_deg);
+    [[nodiscard]] double margin_cd() const { return of_web_ ? of_web_->margin_cd() : 0.0; }
+
+private:
+    const Light& light_;
+    std::span<const double> gammas_deg_;
+    std::optional<WebRows> of_web_;
+    std::vector<double> row_;
 };
 
 // (C, γ) of every point of a web's table, without mirror images.
