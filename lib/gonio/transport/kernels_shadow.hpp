@@ -43,11 +43,21 @@ struct ShadowShares {
 inline constexpr std::size_t shadow_scratch_bytes =
     16 * ((1 + ShadowShares::numbers_of_body) * sizeof(double) + 2 * ShadowShares::lines * sizeof(float));
 
+// Receivers before which a ball stands, each before its own.
+struct ReceiversBehindBalls {
+    ShadowReceivers receivers;
+    const double* middle[3] = {}; // of the ball
+    const double* radius = nullptr;
+};
+
 struct ShadowKernels {
     simd::InstructionSet set;
     // `scratch`: shadow_scratch_bytes for each body, aligned for doubles.
     void (*visible_shares)(const gonio::detail::LinedLight&, const gonio::detail::ShadowBody* bodies,
                            std::size_t body_count, const ShadowReceivers&, std::byte* scratch, const ShadowShares&);
+    // The share of the illuminance of a uniform sphere light (`ball`) in closed form (scene/hidden_cap.hpp); −1 where
+    // there is none.
+    void (*share_past_balls)(const gonio::detail::LinedLight&, const ReceiversBehindBalls&, double* share);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

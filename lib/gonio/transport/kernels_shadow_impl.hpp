@@ -2,6 +2,7 @@
 // kernels_shadow_<set>.cpp; the rule of shading/kernels_impl.hpp applies here too.
 #pragma once
 
+#include <gonio/scene/hidden_cap.hpp>
 #include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/shadow_edge.hpp>
 #include <gonio/scene/shadow_line.hpp>
@@ -457,6 +458,22 @@ void visible_shares(const LinedLight& light, const ShadowBody* bodies, std::size
                     const ShadowReceivers& receivers, std::byte* scratch, const ShadowShares& to) {
     simd::for_each_packet<simd::Packet<S>>(receivers.count, [&](const simd::Packet<S>& packet) {
         ShadowedReceivers<S>(light, bodies, body_count, scratch).find(packet, receivers, to);
+    });
+}
+
+template<class S>
+void share_past_balls(const LinedLight& light, const ReceiversBehindBalls& of, double* share) {
+    using D = simd::in_double<S>;
+    const vec3<D> center = spread<D>(light.center);
+    const ShadowReceivers& receivers = of.receivers;
+    simd::for_each_packet<simd::Packet<D>>(receivers.count, [&](const simd::Packet<D>& packet) {
+        const auto load = [&](const double* const(&from)[3]) {
+            return vec3<D>{packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
+        };
+        const vec3<D> point = load(receivers.position);
+        packet.store(gonio::detail::share_past_ball<D>(center - point, D(light.radius), load(of.middle) - point,
+                                                       packet.load(of.radius), load(receivers.normal)),
+                     share);
     });
 }
 

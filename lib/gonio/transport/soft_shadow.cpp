@@ -68,6 +68,7 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
     }
     const transport::ShadowKernels& kernels = count == 1 ? plain_kernels_ : kernels_;
     kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.data(), shares);
+    find_past_balls(points, first, count);
     for (std::size_t i = 0; i < count; ++i) {
         VisibleShare& share = shares_[first + i];
         double by_lines = visible_[i];
@@ -82,12 +83,46 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
         share.lx = by_lines;
         if (is_alone) {
             const std::uint32_t body = bodies_[own][static_cast<std::size_t>(hiding_[i])];
-            share.lx = closed_form(scene_.stage.surfaces[body].geometry, point, normal).value_or(by_lines);
+            share.lx = past_ball_[i] >= 0.0
+                           ? past_ball_[i]
+                           : closed_form(scene_.stage.surfaces[body].geometry, point, normal).value_or(by_lines);
         }
         share.rgb = is_glossy && share.lx != 0.0 && share.lx != 1.0
                         ? visible_luminance(own, point, normal, points.view(first + i), share.lx, by_lines)
                         : glm::vec3(static_cast<float>(share.lx));
     }
+}
+
+void SoftShadow::find_past_balls(const ShadowPoints& points, std::size_t first, std::size_t count) {
+    std::fill_n(past_ball_.begin(), count, -1.0);
+    if (light_->luminance || lined_.kind != LinedLight::Kind::ball) return;
+    std::size_t behind = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (hiding_[i] == ShadowShares::several) continue;
+        const ShadowBody& body = numbers_[static_cast<std::size_t>(hiding_[i])];
+        if (body.kind != ShadowBody::Kind::ball) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            behind_ball_[axis][behind] = points.numbers(axis)[first + i];
+            behind_ball_[3 + axis][behind] = points.numbers(3 + axis)[first + i];
+            behind_ball_[6 + axis][behind] = body.middle[axis];
+        }
+        behind_ball_[9][behind] = body.radius;
+        of_point_[behind++] = i;
+    }
+    if (behind == 0) return;
+    transport::ReceiversBehindBalls receivers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        receivers.receivers.position[axis] = behind_ball_[axis].data();
+        receivers.receivers.normal[axis] = behind_ball_[3 + axis].data();
+        receivers.middle[axis] = behind_ball_[6 + axis].data();
+    }
+    receivers.receivers.count = behind;
+    receivers.radius = behind_ball_[9].data();
+    std::array<double, block> share;
+    const transport::ShadowKernels& kernels = behind == 1 ? plain_kernels_ : kernels_;
+    kernels.share_past_balls(lined_, receivers, share.data());
+    for (std::size_t k = 0; k < behind; ++k)
+        past_ball_[of_point_[k]] = share[k];
 }
 
 void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {

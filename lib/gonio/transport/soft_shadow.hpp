@@ -88,6 +88,8 @@ private:
     static constexpr std::size_t cell_stride = block + 16;
 
     void find(std::size_t own, const ShadowPoints& points, std::size_t first, std::size_t count, bool with_luminance);
+    // The closed form of all points behind a single ball.
+    void find_past_balls(const ShadowPoints& points, std::size_t first, std::size_t count);
     void find_cells_of(std::size_t i, const glm::dvec3& point);
     double integrated(const glm::dvec3& normal) const;
     // The share of illuminance behind a single solid, if it has a closed form.
@@ -109,6 +111,10 @@ private:
     std::vector<std::byte> scratch_;
     std::array<double, block> visible_{};
     std::array<double, block> hiding_{};
+    std::array<double, block> past_ball_{}; // the share of illuminance; negative if another form has it
+    std::array<std::array<double, block>, 10>
+        behind_ball_{}; // of such points: position, normal, ball's middle and radius
+    std::array<std::size_t, block> of_point_{};
     std::vector<float> cells_; // their visible shares, solid angles and directions
 
     // Of one point:

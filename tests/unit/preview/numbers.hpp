@@ -17,6 +17,7 @@ public:
     explicit Numbers(unsigned seed) : engine_(seed) {}
 
     double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32); }
+    double log_between(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
     glm::dvec3 in_box(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
     glm::dvec3 direction() {
         const double z = between(-1.0, 1.0);

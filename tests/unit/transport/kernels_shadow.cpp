@@ -1,4 +1,5 @@
 // The kernels of soft shadows against each other; tests/unit/preview/shadows.cpp compares them with counted rays.
+#include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_body.hpp>
 #include <gonio/transport/kernels_shadow.hpp>
 #include <gonio/transport/kernels_shadow_impl.hpp>
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -246,6 +248,88 @@ TEST(ShadowKernels, ShareDoesNotDependOnOtherReceivers) {
             for (std::size_t i = 0; i < receiver_count; ++i)
                 EXPECT_EQ(moved.visible[i], shares.visible[order[i]]) << simd::to_text(set);
         }
+}
+
+// Points before a sphere light and a ball between, of any size, from outlines that touch to ones inside each other:
+// against projected_cap_overlap(), which has all digits. Three in ten have no closed form.
+TEST(ShadowKernels, ShareBehindABallIsTheOverlapOfCaps) {
+    constexpr std::size_t count = 400;
+    constexpr double light_radius = 0.3;
+    test::Numbers random(33);
+    const Light light = light_of("sphere:r=30cm", "1000cd", {0.4, -0.3, 0.2});
+    const gonio::detail::LinedLight lined = gonio::detail::lined_light(light, {light.frame.origin, light_radius});
+    std::array<std::vector<double>, 10> numbers; // position, normal, ball and its radius
+    std::vector<double> expected;
+    std::size_t in_part = 0;
+    std::size_t without = 0;
+    while (expected.size() < count) {
+        const double a = random.log_between(1e-5, 1.2);
+        const double b = std::min(a * random.log_between(1e-3, 1e3), 1.5);
+        const double distance = light_radius / std::sin(a);
+        const double most = (distance - light_radius) / (1.0 + std::sin(b)); // of the ball's distance
+        const double ball_distance = most * random.between(0.01, 0.999);
+        const double apart = std::abs(b - a) + random.between(-0.1, 1.05) * 2.0 * std::min(a, b);
+        const double tilt = random.between(0.0, 1.5);
+        const Vec to_light = random.direction();
+        const Vec aside = glm::normalize(glm::cross(to_light, random.direction()));
+        const Vec to_ball = std::cos(apart) * to_light + std::sin(apart) * aside;
+        Vec normal = glm::normalize(to_light + tilt * random.direction());
+        const Vec point = light.frame.origin - distance * to_light;
+        Vec middle = point + ball_distance * to_ball;
+        const double radius = ball_distance * std::sin(b);
+        const std::size_t kind = expected.size() % 10;
+        if (kind == 3) normal = -to_light;                                 // unlit
+        if (kind == 6) middle = point + 2.0 * distance * to_ball;          // behind the light
+        if (kind == 9) middle = point + 0.5 * radius * random.direction(); // around the point
+        const bool has_form = kind != 3 && kind != 6 && kind != 9;
+        // The kernel starts from these rounded numbers.
+        const Vec light_seen = light.frame.origin - point;
+        const Vec ball_seen = middle - point;
+        const double sine = light_radius / glm::length(light_seen);
+        const double cosine = glm::dot(normal, glm::normalize(light_seen));
+        if (has_form && cosine < sine) continue;
+        double share = -1.0;
+        if (has_form) {
+            const double hidden =
+                projected_cap_overlap(glm::normalize(light_seen), std::asin(sine), glm::normalize(ball_seen),
+                                      std::asin(std::min(radius / glm::length(ball_seen), 1.0)), normal);
+            share = std::clamp(1.0 - hidden / (std::numbers::pi * sine * sine * cosine), 0.0, 1.0);
+            if (share > 0.0 && share < 1.0) ++in_part;
+        } else {
+            ++without;
+        }
+        expected.push_back(share);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto at = static_cast<std::size_t>(axis);
+            numbers[at].push_back(point[axis]);
+            numbers[3 + at].push_back(normal[axis]);
+            numbers[6 + at].push_back(middle[axis]);
+        }
+        numbers[9].push_back(radius);
+    }
+    EXPECT_GT(in_part, 200U);
+    EXPECT_GT(without, 100U);
+    ReceiversBehindBalls of;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        of.receivers.position[axis] = numbers[axis].data();
+        of.receivers.normal[axis] = numbers[3 + axis].data();
+        of.middle[axis] = numbers[6 + axis].data();
+    }
+    of.receivers.count = count;
+    of.radius = numbers[9].data();
+    std::vector<double> plain(count);
+    shadow_kernels(simd::InstructionSet::scalar).share_past_balls(lined, of, plain.data());
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec to_light = light.frame.origin - Vec(numbers[0][i], numbers[1][i], numbers[2][i]);
+        // Directions have the last digit of a number near 1, which is more of a narrow light.
+        const double tolerance = 1e-12 + 2e-15 * glm::length(to_light) / light_radius;
+        EXPECT_NEAR(plain[i], expected[i], tolerance) << i;
+    }
+    for (const simd::InstructionSet set : simd::available_sets()) {
+        std::vector<double> packed(count);
+        shadow_kernels(set).share_past_balls(lined, of, packed.data());
+        EXPECT_EQ(packed, plain) << simd::to_text(set);
+    }
 }
 
 TEST(ShadowKernels, TheSameBodyTwiceHidesAsMuch) {
