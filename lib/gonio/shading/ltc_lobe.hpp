@@ -158,17 +158,8 @@ public:
         auto column = static_cast<std::size_t>(x);
         if (column > ltc_ggx_size - 2) column = ltc_ggx_size - 2;
         const simd::value_of<S> share = x - static_cast<simd::value_of<S>>(column);
-        for (std::size_t row = 0; row < ltc_ggx_size; ++row) {
-            const LtcEntry* const at = &ltc_ggx_table[row * ltc_ggx_size + column];
-            const float low[fields] = {at[0].along, at[0].raised, at[0].across,
-                                       at[0].slant, at[0].albedo, at[0].grazing};
-            const float high[fields] = {at[1].along, at[1].raised, at[1].across,
-                                        at[1].slant, at[1].albedo, at[1].grazing};
-            for (std::size_t f = 0; f < fields; ++f)
-                rows_[row][f] =
-                    static_cast<simd::value_of<S>>(low[f]) +
-                    share * (static_cast<simd::value_of<S>>(high[f]) - static_cast<simd::value_of<S>>(low[f]));
-        }
+        for (std::size_t row = 0; row < ltc_ggx_size; ++row)
+            between(&ltc_ggx_table[row * ltc_ggx_size + column], share, &rows_[row][0]);
     }
 
     // As ltc_ggx(α, n·v, ‖n×v‖), within rounding.
@@ -196,6 +187,29 @@ public:
 private:
     static constexpr std::size_t fields = 6;
     static constexpr std::size_t padded = 8;
+
+    // An entry and the next one.
+    GONIO_FORCE_INLINE static void between(const LtcEntry* at, float share, float* to) {
+        using Together [[gnu::vector_size(padded * sizeof(float))]] = float;
+        static_assert(sizeof(Together) == sizeof(LtcEntry));
+        Together low, high;
+        __builtin_memcpy(&low, &at[0], sizeof low);
+        __builtin_memcpy(&high, &at[1], sizeof high);
+        const Together found = low + share * (high - low);
+        __builtin_memcpy(to, &found, sizeof found);
+    }
+    GONIO_FORCE_INLINE static void between(const LtcEntry* at, double share, double* to) {
+        const auto put = [&](std::size_t f, float low, float high) {
+            to[f] = static_cast<double>(low) + share * (static_cast<double>(high) - static_cast<double>(low));
+        };
+        put(0, at[0].along, at[1].along);
+        put(1, at[0].raised, at[1].raised);
+        put(2, at[0].across, at[1].across);
+        put(3, at[0].slant, at[1].slant);
+        put(4, at[0].albedo, at[1].albedo);
+        put(5, at[0].grazing, at[1].grazing);
+    }
+
     simd::value_of<S> alpha_;
     simd::value_of<S> rows_[ltc_ggx_size][padded] = {};
 };

@@ -12,7 +12,9 @@ namespace gonio::shading {
 //     ( along·μ + raised·s²   0        (raised·μ − along)·s )
 //     ( 0                     across   0                    )
 //     ( α·slant·s             0        α                    )
-struct LtcEntry {
+//
+// Aligned so that the numbers of an entry fill one register of eight floats.
+struct alignas(32) LtcEntry {
     float along, raised, across, slant;
     float albedo;  // directional albedo for F = 1
     float grazing; // the same for F = (1 − l·h)⁵
