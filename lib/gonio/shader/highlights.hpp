@@ -174,7 +174,7 @@ void label_diffuse_points(Function& f, const Light& light) {
             f.label("inverse_way", inverse);
             f.label("toward", p * inverse);
             const S cosine = simd::max(dot(light.normal, p * inverse), S(0));
-            f.label("weight", strength * inverse * inverse * (inverse * cosine));
+            f.label("weight", strength * inverse * inverse * inverse * cosine);
         });
 }
 

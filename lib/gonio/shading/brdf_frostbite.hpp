@@ -41,12 +41,12 @@ GONIO_FORCE_INLINE Frostbite<S> frostbite_material(vec3<S> base, S smoothness, S
     return {color * (S(1) - m), f0, f90, r, simd::max(r * r, S(minimum_alpha))};
 }
 
-// The diffuse part for albedo 1.
+// The diffuse part for albedo 1. 2 (l·h)² is 1 + l·v.
 template<class S>
-GONIO_FORCE_INLINE S diffuse_frostbite(S n_dot_l, S n_dot_v, S l_dot_h, S linear_roughness) {
+GONIO_FORCE_INLINE S diffuse_frostbite(S n_dot_l, S n_dot_v, S l_dot_v, S linear_roughness) {
     const S bias = S(0.5) * linear_roughness;
     const S factor = S(1) - linear_roughness * S(1.0 - 1.0 / 1.51);
-    const S fd90_less_1 = bias + S(2) * l_dot_h * l_dot_h * linear_roughness - S(1);
+    const S fd90_less_1 = simd::mul_add(S(1) + l_dot_v, linear_roughness, bias) - S(1);
     const S light = simd::mul_add(fd90_less_1, schlick_weight(n_dot_l), S(1));
     const S view = simd::mul_add(fd90_less_1, schlick_weight(n_dot_v), S(1));
     return light * view * factor * S(std::numbers::inv_pi);
@@ -61,8 +61,7 @@ GONIO_FORCE_INLINE vec3<S> diffuse_part(const Frostbite<S>& material, vec3<S> n,
     const S n_dot_l = dot(n, l);
     const S n_dot_v = dot(n, v);
     const auto lit = simd::both(above_surface(n_dot_l), above_surface(n_dot_v));
-    const S l_dot_h = dot(l, normalized(l + v));
-    const S diffuse = diffuse_frostbite(n_dot_l, n_dot_v, l_dot_h, material.linear_roughness);
+    const S diffuse = diffuse_frostbite(n_dot_l, n_dot_v, dot(l, v), material.linear_roughness);
     return material.albedo * simd::select(lit, diffuse, S(0));
 }
 template<class S>

@@ -53,18 +53,16 @@ struct OverLight {
 template<class S, class Light>
 GONIO_FORCE_INLINE OverLight<S> over_light(const SurfacePoint<S>& point, const Light& light, const Coat<S>& coat,
                                            S alpha, bool has_lobe) {
-    constexpr double least = 1e-18; // its cube is still a float
     const vec3<S> n = point.normal;
     const bool physical = coat.order == CoatOrder::physical;
     S sum = S(0);
     S weights = S(0);
     OverLight<S> over{S(0), S(0), S(0)};
-    points_of(light, SameFrame{}, way_to(light, point.position))
-        .for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
-            const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
-            const vec3<S> l = p * inverse;
+    const auto& points = points_of(light, SameFrame{}, way_to(light, point.position));
+    for_each_direction<S>(
+        points, [&](vec3<S> l, S solid_angle) __attribute__((always_inline)) {
             const S cosine = simd::max(dot(n, l), S(0));
-            const S weight = strength * inverse * inverse * (inverse * cosine);
+            const S weight = solid_angle * cosine;
             const S value =
                 physical ? coat_albedo(coat, cosine) : coat_pass_of_facet(coat, facet_weight(l, point.view)).both;
             sum = simd::mul_add(weight, value, sum);

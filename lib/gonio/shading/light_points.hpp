@@ -70,6 +70,12 @@ struct DiskPoints {
         patch.for_each(rule, work);
     }
 };
+// Of the disk within the visible circle of a sphere of angular radius σ: its points are as far away as their places in
+// the rule say.
+template<class S>
+struct CapPoints : DiskPoints<S> {
+    S center_distance, ring_distance; // of the rule's first point and of the others, as points_of_cap() scales them
+};
 template<class S>
 struct RectanglePoints {
     static constexpr RulePoint rule[9] = {{-0.77459667F, -0.77459667F, 25.0F / 324},
@@ -155,6 +161,31 @@ struct GatheredPoints {
     }
 };
 
+// work(l, dω) for each point as a unit direction and the solid angle that it stands for.
+inline constexpr double least_distance = 1e-9; // the cube of its square is still a float
+template<class S, class Points, class Work>
+GONIO_FORCE_INLINE void for_each_direction(const Points& points, const Work& work) {
+    points.for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
+        const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least_distance * least_distance)));
+        work(p * inverse, strength * inverse * inverse * inverse);
+    });
+}
+template<class S, class Work>
+requires(!simd::is_recorded<S>) GONIO_FORCE_INLINE
+    void for_each_direction(const CapPoints<S>& points, const Work& work) {
+    const LightPatch<S>& patch = points.patch;
+    const auto inverse = [](S distance) { return S(1) / simd::max(distance, S(least_distance)); };
+    const auto direct = [&](const RulePoint& at, S scale, S solid_angle) __attribute__((always_inline)) {
+        work((patch.center + patch.u * S(at.x) + patch.v * S(at.y)) * scale, solid_angle * S(at.weight));
+    };
+    const S to_center = inverse(points.center_distance);
+    direct(points.rule[0], to_center, patch.strength * to_center * to_center * to_center);
+    const S to_ring = inverse(points.ring_distance);
+    const S solid_angle = patch.strength * to_ring * to_ring * to_ring;
+    for (std::size_t i = 1; i < points.size; ++i)
+        direct(points.rule[i], to_ring, solid_angle);
+}
+
 // Scales so that no square exceeds the range of numbers: the centre's largest component, or the light's size where that
 // is larger, becomes at most a quarter.
 template<class S, class Light>
@@ -170,15 +201,18 @@ struct SameFrame {
     }
 };
 
-// The disk within the visible circle of a sphere of angular radius σ about the unit vector `toward`.
+// About the unit vector `toward`.
 template<class S>
-GONIO_FORCE_INLINE DiskPoints<S> points_of_cap(vec3<S> toward, S sine, S cosine) {
+GONIO_FORCE_INLINE CapPoints<S> points_of_cap(vec3<S> toward, S sine, S cosine) {
     const TangentFrame<S> frame(toward);
     constexpr double pi = 3.14159265358979323846;
-    return {{toward * cosine, frame.x * sine, frame.y * sine, S(pi) * sine * sine * cosine}};
+    constexpr double ring2 = 2.0 / 3.0; // of the rule
+    return {{{toward * cosine, frame.x * sine, frame.y * sine, S(pi) * sine * sine * cosine}},
+            cosine,
+            simd::sqrt(simd::mul_add(cosine, cosine, S(ring2) * sine * sine))};
 }
 template<class S, class Frame>
-GONIO_FORCE_INLINE DiskPoints<S> points_of(const SphereLight<S>& light, const Frame& frame, vec3<S> to_center) {
+GONIO_FORCE_INLINE CapPoints<S> points_of(const SphereLight<S>& light, const Frame& frame, vec3<S> to_center) {
     const S scale = points_scale(light, to_center);
     const vec3<S> c = frame(to_center) * scale;
     const S r = simd::abs(light.radius) * scale;
@@ -188,7 +222,7 @@ GONIO_FORCE_INLINE DiskPoints<S> points_of(const SphereLight<S>& light, const Fr
     return points_of_cap(l, sine, simd::sqrt((S(1) - sine) * (S(1) + sine)));
 }
 template<class S, class Frame>
-GONIO_FORCE_INLINE DiskPoints<S> points_of(const SunLight<S>& light, const Frame& frame, vec3<S> toward) {
+GONIO_FORCE_INLINE CapPoints<S> points_of(const SunLight<S>& light, const Frame& frame, vec3<S> toward) {
     return points_of_cap(frame(toward), light.sine, light.cosine);
 }
 template<class S, class Frame>

@@ -69,8 +69,7 @@ GONIO_FORCE_INLINE vec3<S> reflect(const SurfacePoint<S>& point, const Frostbite
     const vec3<S> l = light.toward;
     const S n_dot_v = dot(n, v);
     const auto seen = n_dot_v > S(0);
-    const S l_dot_h = simd::min(simd::max(dot(l, normalized(l + v)), S(0)), S(1));
-    const S diffuse = diffuse_frostbite(simd::max(dot(n, l), S(0)), n_dot_v, l_dot_h, material.linear_roughness);
+    const S diffuse = diffuse_frostbite(simd::max(dot(n, l), S(0)), n_dot_v, dot(l, v), material.linear_roughness);
     const S of_diffuse = simd::select(seen, diffuse * light.lx, S(0));
 
     const S alpha = lobe_alpha(material);

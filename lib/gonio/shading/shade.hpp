@@ -56,22 +56,20 @@ GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, con
     } else {
         Reflected<S> sum{{S(0), S(0), S(0)}, {S(0), S(0), S(0)}};
         S weights = S(0);
-        constexpr double least = 1e-18; // its cube is still a float
-        points_of(light, SameFrame{}, to_center).for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
-            const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
-            const vec3<S> l = p * inverse;
-            const S cosine = simd::max(dot(n, l), S(0));
-            const S weight = strength * inverse * inverse * (inverse * cosine);
-            const Reflected<S> value = scattered(point, material, l);
-            const auto add = [&](vec3<S> & total, vec3<S> term) __attribute__((always_inline)) {
-                simd::accumulate(total.x, term.x);
-                simd::accumulate(total.y, term.y);
-                simd::accumulate(total.z, term.z);
-            };
-            add(sum.diffuse, value.diffuse * weight);
-            add(sum.specular, value.specular * weight);
-            simd::accumulate(weights, weight);
-        });
+        const auto& points = points_of(light, SameFrame{}, to_center);
+        for_each_direction<S>(
+            points, [&](vec3<S> l, S solid_angle) __attribute__((always_inline)) {
+                const S weight = solid_angle * simd::max(dot(n, l), S(0));
+                const Reflected<S> value = scattered(point, material, l);
+                const auto add = [&](vec3<S> & total, vec3<S> term) __attribute__((always_inline)) {
+                    simd::accumulate(total.x, term.x);
+                    simd::accumulate(total.y, term.y);
+                    simd::accumulate(total.z, term.z);
+                };
+                add(sum.diffuse, value.diffuse * weight);
+                add(sum.specular, value.specular * weight);
+                simd::accumulate(weights, weight);
+            });
         const auto known = weights > S(1e-30);
         const S inverse = S(1) / simd::select(known, weights, S(1));
         Reflected<S> mean{sum.diffuse * inverse, sum.specular * inverse};

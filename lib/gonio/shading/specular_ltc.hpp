@@ -60,23 +60,20 @@ template<bool with_cosine = false, class S, class Points, class Lobe, bool shear
 GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lobe, const LtcLobe<S, sheared>& cosine,
                                            vec3<S> v) {
     PointSums<S> sums{S(0), S(0), S(0)};
-    constexpr double least = 1e-18; // its cube is still a float
-    points.for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
-        const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
-        const vec3<S> l = p * inverse;
-        const S solid_angle = strength * inverse * inverse * inverse;
-        const S n_dot_l = simd::max(l.z, S(0)); // 0 leaves any lobe finite
-        const HalfVector<S> h = half_vector(l, v);
-        const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
-        simd::accumulate(sums.value, value);
-        simd::accumulate_product(sums.grazing, value, schlick_weight(h.l_dot_h));
-        if constexpr (with_cosine) {
-            const vec3<S> q = cosine(l);
-            const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
-            const S above = simd::select(l.z > S(0), simd::max(q.z, S(0)), S(0));
-            simd::accumulate_product(sums.by_cosine, above * inverse_q * inverse_q, solid_angle);
-        }
-    });
+    for_each_direction<S>(
+        points, [&](vec3<S> l, S solid_angle) __attribute__((always_inline)) {
+            const S n_dot_l = simd::max(l.z, S(0)); // 0 leaves any lobe finite
+            const HalfVector<S> h = half_vector(l, v);
+            const S value = lobe.value({l.x, l.y, n_dot_l}, v, h) * n_dot_l * solid_angle;
+            simd::accumulate(sums.value, value);
+            simd::accumulate_product(sums.grazing, value, schlick_weight(h.l_dot_h));
+            if constexpr (with_cosine) {
+                const vec3<S> q = cosine(l);
+                const S inverse_q = S(1) / simd::max(dot(q, q), S(1e-36));
+                const S above = simd::select(l.z > S(0), simd::max(q.z, S(0)), S(0));
+                simd::accumulate_product(sums.by_cosine, above * inverse_q * inverse_q, solid_angle);
+            }
+        });
     return sums;
 }
 

@@ -44,8 +44,7 @@ struct Reflection {
     // f cosθ [1/sr], l above the horizon.
     [[nodiscard]] double value(Vec l) const {
         if (specular) return specular_ggx<double>({0, 0, 1}, l, view(), roughness, roughness).scale * l.z;
-        const Vec h = normalized(l + view());
-        return diffuse_frostbite(l.z, mu, dot(l, h), roughness) * l.z;
+        return diffuse_frostbite(l.z, mu, dot(l, view()), roughness) * l.z;
     }
     // The factor that the table applies to the matrix' first two rows.
     [[nodiscard]] double width() const { return specular ? roughness : 1.0; }
