@@ -131,9 +131,8 @@ void TableTruth::lay_out(Pose& pose) const {
         double density = static_cast<double>(of_cosine) * l.z / pi;
         for (const double width : widths)
             density += static_cast<double>(count) * shading::pdf_reflected_ggx(up, v, l, width);
-        const double value =
-            l.z * (specular ? shading::specular_ggx(up, l, v, alpha, alpha).scale
-                            : shading::diffuse_frostbite(l.z, v.z, dot(l, v), pose.roughness));
+        const double value = l.z * (specular ? shading::specular_ggx(up, l, v, alpha, alpha).scale
+                                             : shading::diffuse_frostbite(l.z, v.z, dot(l, v), pose.roughness));
         pose.directions.push_back({l.x, l.y, l.z, 1.0 / density, value});
         pose.values[0] += value / density;
     };
