@@ -66,65 +66,82 @@ struct TablePlace {
 };
 
 template<class S> // determines the instruction set
-GONIO_FORCE_INLINE TablePlace place_of(float angle, const ColumnTable& table, float per_step) {
-    const float steps =
-        simd::min(simd::max((angle + 1.57079633F) * per_step, 0.0F), static_cast<float>(table.count - 1) * 0.9999999F);
-    const auto index = static_cast<std::size_t>(steps);
-    return {index, steps - static_cast<float>(index)};
+GONIO_FORCE_INLINE TablePlace place_at(float steps) {
+    const auto index = static_cast<std::size_t>(static_cast<int>(steps));
+    return {index, steps - static_cast<float>(static_cast<int>(steps))};
+}
+// From the start of an axis of the table, in steps of it; before its last node.
+template<class S>
+GONIO_FORCE_INLINE S steps_to(S angle, const ColumnTable& table, float per_step) {
+    return simd::min(simd::max((angle + S(1.57079633F)) * S(per_step), S(0)),
+                     S(static_cast<float>(table.count - 1) * 0.9999999F));
 }
 
-// The running integrals at a place of a row: exact for values that are linear between the nodes.
-template<class S>
-GONIO_FORCE_INLINE void running(const float* row, const TablePlace& at, float step, float weight, float (&sums)[2]) {
-    const float* const node = row + 4 * at.index;
-    for (std::size_t part = 0; part < 2; ++part) {
-        const float low = node[2 * part + 1];
-        const float high = node[2 * part + 5];
-        sums[part] += weight * (node[2 * part] + step * at.along * (low + 0.5F * at.along * (high - low)));
-    }
-}
+// The four numbers of a node of the table, computed with together; two of them count.
+using ColumnNode [[gnu::vector_size(4 * sizeof(float))]] = float;
 
 template<class S>
-GONIO_FORCE_INLINE void value(const float* row, const TablePlace& at, float weight, float (&values)[2]) {
-    const float* const node = row + 4 * at.index;
-    for (std::size_t part = 0; part < 2; ++part)
-        values[part] += weight * (node[2 * part + 1] + at.along * (node[2 * part + 5] - node[2 * part + 1]));
+GONIO_FORCE_INLINE ColumnNode node_at(const float* row, std::size_t index) {
+    ColumnNode node;
+    __builtin_memcpy(&node, row + 4 * index, sizeof node);
+    return node;
+}
+
+// The running integrals at a place of a row, as the numbers 0 and 2: exact for values that are linear between the
+// nodes.
+template<class S>
+GONIO_FORCE_INLINE ColumnNode running(const float* row, const TablePlace& at, float step) {
+    const ColumnNode low = node_at<S>(row, at.index);
+    const ColumnNode high = node_at<S>(row, at.index + 1);
+    const ColumnNode more = step * at.along * (low + 0.5F * at.along * (high - low));
+    return low + __builtin_shufflevector(more, more, 1, 1, 3, 3);
+}
+
+// The values there, as the numbers 1 and 3.
+template<class S>
+GONIO_FORCE_INLINE ColumnNode value(const float* row, const TablePlace& at) {
+    const ColumnNode low = node_at<S>(row, at.index);
+    return low + at.along * (node_at<S>(row, at.index + 1) - low);
 }
 
 // Over [low, low + width], lane by lane.
 template<class S>
 GONIO_FORCE_INLINE ColumnIntegrals<S> integrals(const ColumnTable& table, S phi, S low, S width) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
-    float phis[lanes];
-    float lows[lanes];
+    const float per_step = 1.0F / table.step_rad;
+    float row_steps[lanes];
+    float begin_steps[lanes];
+    float middle_steps[lanes];
+    float end_steps[lanes];
     float widths[lanes];
+    simd::store(steps_to(phi, table, per_step), &row_steps[0]);
+    simd::store(steps_to(low, table, per_step), &begin_steps[0]);
+    simd::store(steps_to(low + S(0.5F) * width, table, per_step), &middle_steps[0]);
+    simd::store(steps_to(low + width, table, per_step), &end_steps[0]);
+    simd::store(width, &widths[0]);
     float cosines[lanes];
     float sines[lanes];
-    simd::store(phi, &phis[0]);
-    simd::store(low, &lows[0]);
-    simd::store(width, &widths[0]);
-    const float per_step = 1.0F / table.step_rad;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const TablePlace row = place_of<S>(phis[lane], table, per_step);
-        const float* const rows[2] = {table.nodes + 4 * table.count * row.index,
-                                      table.nodes + 4 * table.count * (row.index + 1)};
-        const float weights[2] = {1.0F - row.along, row.along};
-        float sums[2] = {0.0F, 0.0F};
+        const TablePlace row = place_at<S>(row_steps[lane]);
+        const float* const row_low = table.nodes + 4 * table.count * row.index;
+        const float* const row_high = row_low + 4 * table.count;
+        const float share_low = 1.0F - row.along;
         // The difference of two running integrals would lose its digits.
         if (widths[lane] < 0.5F * table.step_rad) {
-            const TablePlace middle = place_of<S>(lows[lane] + 0.5F * widths[lane], table, per_step);
-            for (std::size_t i = 0; i < 2; ++i)
-                value<S>(rows[i], middle, weights[i] * widths[lane], sums);
+            const TablePlace middle = place_at<S>(middle_steps[lane]);
+            const ColumnNode mean = share_low * value<S>(row_low, middle) + row.along * value<S>(row_high, middle);
+            cosines[lane] = widths[lane] * mean[1];
+            sines[lane] = widths[lane] * mean[3];
         } else {
-            const TablePlace begin = place_of<S>(lows[lane], table, per_step);
-            const TablePlace end = place_of<S>(lows[lane] + widths[lane], table, per_step);
-            for (std::size_t i = 0; i < 2; ++i) {
-                running<S>(rows[i], end, table.step_rad, weights[i], sums);
-                running<S>(rows[i], begin, table.step_rad, -weights[i], sums);
-            }
+            const TablePlace begin = place_at<S>(begin_steps[lane]);
+            const TablePlace end = place_at<S>(end_steps[lane]);
+            const auto between = [&](const float* nodes) __attribute__((always_inline)) {
+                return running<S>(nodes, end, table.step_rad) - running<S>(nodes, begin, table.step_rad);
+            };
+            const ColumnNode sum = share_low * between(row_low) + row.along * between(row_high);
+            cosines[lane] = sum[0];
+            sines[lane] = sum[2];
         }
-        cosines[lane] = sums[0];
-        sines[lane] = sums[1];
     }
     ColumnIntegrals<S> result;
     simd::load(&cosines[0], result.cosine);
