@@ -8,7 +8,7 @@
 
 namespace gonio::media::detail {
 
-// Throws std::runtime_error where the library fails.
-std::vector<unsigned char> zlib_stream(std::span<const unsigned char> bytes);
+// `level`: from 1, the fastest, to 9, the smallest; of either library. Throws std::runtime_error where it fails.
+std::vector<unsigned char> zlib_stream(std::span<const unsigned char> bytes, int level);
 
 } // namespace gonio::media::detail
