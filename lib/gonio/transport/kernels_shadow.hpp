@@ -43,6 +43,12 @@ struct ShadowShares {
 inline constexpr std::size_t shadow_scratch_bytes =
     16 * ((1 + ShadowShares::numbers_of_body) * sizeof(double) + 2 * ShadowShares::lines * sizeof(float));
 
+// How many bodies may hide something of the light from a receiver: none, several, or the number of the only one.
+struct NearBodies {
+    static constexpr double none = -2.0;
+    static constexpr double several = -1.0;
+};
+
 // Receivers before which a ball stands, each before its own.
 struct ReceiversBehindBalls {
     ShadowReceivers receivers;
@@ -55,6 +61,9 @@ struct ShadowKernels {
     // `scratch`: shadow_scratch_bytes for each body, aligned for doubles.
     void (*visible_shares)(const gonio::detail::LinedLight&, const gonio::detail::ShadowBody* bodies,
                            std::size_t body_count, const ShadowReceivers&, std::byte* scratch, const ShadowShares&);
+    // `near`: for each receiver, of NearBodies. The other bodies hide nothing from it.
+    void (*near_bodies)(const gonio::detail::LinedLight&, const gonio::detail::ShadowBody* bodies,
+                        std::size_t body_count, const ShadowReceivers&, double* near);
     // The share of the illuminance of a uniform sphere light (`ball`) in closed form (scene/hidden_cap.hpp); −1 where
     // there is none.
     void (*share_past_balls)(const gonio::detail::LinedLight&, const ReceiversBehindBalls&, double* share);

@@ -112,6 +112,20 @@ private:
     std::size_t count_ = 0;
 };
 
+template<class D>
+GONIO_FORCE_INLINE vec3<D> load_vector(const simd::Packet<D>& packet, const double* const (&from)[3]) {
+    return {packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
+}
+
+// Where a body is before the light and near the ways from it.
+template<class D>
+GONIO_FORCE_INLINE simd::mask_of<D> may_hide_from(const vec3<D>& point, const gonio::detail::WaysFromSphere<D>& ways,
+                                                  const ShadowBody& body) {
+    auto may_hide = D(0) <= D(0);
+    if (body.is_apart) may_hide = gonio::detail::is_before_light(body, point);
+    return simd::any(may_hide) ? simd::both(may_hide, ways.may_meet(body)) : may_hide;
+}
+
 // The receivers of one packet. Where they are, and how light and bodies lie to them, is found in D, for the halves of
 // the packet; the numbers that come of it are rounded to S. They are kept in rows, one number for each lane.
 template<class S>
@@ -132,7 +146,7 @@ public:
         store(packet, S(1), to.visible);
         store(packet, S(ShadowShares::several), to.hiding);
         for (std::size_t half = 0; half < half_count; ++half)
-            halves_[half].point = load(half_of(packet, half), receivers.position);
+            halves_[half].point = load_vector(half_of(packet, half), receivers.position);
         if (!find_near()) return;
         find_hint();
         if (!find_lines() || !find_hidden()) return;
@@ -157,9 +171,6 @@ private:
         if (before + half_lanes <= packet.count) return {packet.first + before, half_lanes};
         if (before < packet.count) return {packet.first + before, packet.count - before};
         return {packet.first + packet.count - 1, 1};
-    }
-    GONIO_FORCE_INLINE static vec3<D> load(const simd::Packet<D>& packet, const double* const (&from)[3]) {
-        return {packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
     }
     GONIO_FORCE_INLINE static void store(const Packet& packet, S value, double* to) {
         if (packet.count == lanes) return simd::store_widened(value, to + packet.first);
@@ -207,15 +218,13 @@ private:
     }
     GONIO_FORCE_INLINE mask is_near(std::size_t body) const { return at(mark_of(body)) == S(1); }
 
-    // Marks the bodies that may hide something: those before the light and near the ways from it.
+    // Marks the bodies that may hide something.
     bool find_near() {
         bool is_any = false;
         for (std::size_t half = 0; half < half_count; ++half) {
             const gonio::detail::WaysFromSphere<D> ways(halves_[half].point, light_.around, light_.around_radius);
             for (std::size_t i = 0; i < body_count_; ++i) {
-                auto may_hide = D(0) <= D(0);
-                if (bodies_[i].is_apart) may_hide = gonio::detail::is_before_light(bodies_[i], halves_[half].point);
-                if (simd::any(may_hide)) may_hide = simd::both(may_hide, ways.may_meet(bodies_[i]));
+                const auto may_hide = may_hide_from(halves_[half].point, ways, bodies_[i]);
                 is_any = is_any || simd::any(may_hide);
                 put_half(simd::select(may_hide, D(1), D(0)), mark_of(i), half);
             }
@@ -382,7 +391,7 @@ private:
     S integrate(const Packet& packet, const ShadowReceivers& receivers, const ShadowShares& to) const {
         double normal[3][lanes];
         for (std::size_t half = 0; half < half_count; ++half) {
-            const vec3<D> n = load(half_of(packet, half), receivers.normal);
+            const vec3<D> n = load_vector(half_of(packet, half), receivers.normal);
             const LightFrame<D>& frame = halves_[half].frame;
             put_half(unfused::dot(n, frame.axis), normal[0], half);
             put_half(unfused::dot(n, frame.forward), normal[1], half);
@@ -458,6 +467,24 @@ void visible_shares(const LinedLight& light, const ShadowBody* bodies, std::size
                     const ShadowReceivers& receivers, std::byte* scratch, const ShadowShares& to) {
     simd::for_each_packet<simd::Packet<S>>(receivers.count, [&](const simd::Packet<S>& packet) {
         ShadowedReceivers<S>(light, bodies, body_count, scratch).find(packet, receivers, to);
+    });
+}
+
+template<class S>
+void near_bodies(const LinedLight& light, const ShadowBody* bodies, std::size_t body_count,
+                 const ShadowReceivers& receivers, double* near) {
+    using D = simd::in_double<S>;
+    simd::for_each_packet<simd::Packet<D>>(receivers.count, [&](const simd::Packet<D>& packet) {
+        const vec3<D> point = load_vector(packet, receivers.position);
+        const gonio::detail::WaysFromSphere<D> ways(point, light.around, light.around_radius);
+        D found(NearBodies::none);
+        for (std::size_t i = 0; i < body_count; ++i) {
+            const auto may_hide = may_hide_from(point, ways, bodies[i]);
+            const D with_it =
+                simd::select(found == D(NearBodies::none), D(static_cast<double>(i)), D(NearBodies::several));
+            found = simd::select(may_hide, with_it, found);
+        }
+        packet.store(found, near);
     });
 }
 

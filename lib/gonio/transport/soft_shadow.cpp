@@ -15,6 +15,7 @@
 
 namespace gonio::detail {
 
+using transport::NearBodies;
 using transport::ShadowShares;
 
 SoftShadow::SoftShadow(const LitScene& scene)
@@ -37,6 +38,9 @@ std::span<const VisibleShare> SoftShadow::visible(std::size_t own, const ShadowP
     numbers_.clear();
     for (const std::uint32_t i : bodies_[own])
         numbers_.push_back(shadow_body(scene_.stage.surfaces[i].geometry, lined_));
+    may_have_balls_ = lined_.kind == LinedLight::Kind::ball && !light_->luminance &&
+                      std::any_of(numbers_.begin(), numbers_.end(),
+                                  [](const ShadowBody& body) { return body.kind == ShadowBody::Kind::ball; });
     scratch_.resize(std::max(scratch_.size(), numbers_.size() * transport::shadow_scratch_bytes));
     for (std::size_t first = 0; first < points.size(); first += block)
         find(own, points, first, std::min(block, points.size() - first), with_luminance);
@@ -48,12 +52,9 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
     const bool is_glossy =
         with_luminance && !std::holds_alternative<shading::Lambert<double>>(scene_.core_materials[own]);
     const bool has_cells = is_glossy || light_->luminance.has_value();
-    transport::ShadowReceivers receivers;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        receivers.position[axis] = points.numbers(axis) + first;
-        receivers.normal[axis] = points.numbers(3 + axis) + first;
-    }
-    receivers.count = count;
+    std::fill_n(past_ball_.begin(), count, -1.0);
+    find_left(points, first, count, is_glossy);
+    if (left_.count == 0) return;
     ShadowShares shares;
     shares.visible = visible_.data();
     shares.hiding = hiding_.data();
@@ -66,23 +67,30 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
         for (std::size_t axis = 0; axis < 3; ++axis)
             shares.towards[axis] = cells_.data() + (2 + axis) * all;
     }
-    const transport::ShadowKernels& kernels = count == 1 ? plain_kernels_ : kernels_;
-    kernels.visible_shares(lined_, numbers_.data(), numbers_.size(), receivers, scratch_.data(), shares);
-    find_past_balls(points, first, count);
-    for (std::size_t i = 0; i < count; ++i) {
+    kernels_for(left_.count)
+        .visible_shares(lined_, numbers_.data(), numbers_.size(), left_.receivers(), scratch_.data(), shares);
+    if (may_have_balls_) {
+        behind_.clear();
+        for (std::size_t k = 0; k < left_.count; ++k)
+            if (hiding_[k] != ShadowShares::several && past_ball_[left_.index[k]] < 0.0)
+                add_behind(points, first, left_.index[k], hiding_[k]);
+        find_past_balls();
+    }
+    for (std::size_t k = 0; k < left_.count; ++k) {
+        const std::size_t i = left_.index[k];
         VisibleShare& share = shares_[first + i];
-        double by_lines = visible_[i];
+        double by_lines = visible_[k];
         share.lx = by_lines;
         share.rgb = glm::vec3(static_cast<float>(by_lines));
-        const bool is_alone = hiding_[i] != ShadowShares::several;
+        const bool is_alone = hiding_[k] != ShadowShares::several;
         if (by_lines == 1.0 || (by_lines == 0.0 && !is_alone)) continue;
         const glm::dvec3 point = points.position(first + i);
         const glm::dvec3 normal = points.normal(first + i);
-        if (has_cells) find_cells_of(i, point);
+        if (has_cells) find_cells_of(k, point);
         if (light_->luminance.has_value()) by_lines = integrated(normal);
         share.lx = by_lines;
         if (is_alone) {
-            const std::uint32_t body = bodies_[own][static_cast<std::size_t>(hiding_[i])];
+            const std::uint32_t body = bodies_[own][static_cast<std::size_t>(hiding_[k])];
             share.lx = past_ball_[i] >= 0.0
                            ? past_ball_[i]
                            : closed_form(scene_.stage.surfaces[body].geometry, point, normal).value_or(by_lines);
@@ -93,42 +101,60 @@ void SoftShadow::find(std::size_t own, const ShadowPoints& points, std::size_t f
     }
 }
 
-void SoftShadow::find_past_balls(const ShadowPoints& points, std::size_t first, std::size_t count) {
-    std::fill_n(past_ball_.begin(), count, -1.0);
-    if (light_->luminance || lined_.kind != LinedLight::Kind::ball) return;
-    std::size_t behind = 0;
+// Points near which nothing is, and those that a single ball hides the light from, need no lines, unless a glossy
+// surface shows which part of the light is hidden.
+void SoftShadow::find_left(const ShadowPoints& points, std::size_t first, std::size_t count, bool is_glossy) {
+    left_.clear();
+    if (!may_have_balls_) {
+        for (std::size_t i = 0; i < count; ++i)
+            left_.add(points, first, i);
+        return;
+    }
+    transport::ShadowReceivers receivers;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        receivers.position[axis] = points.numbers(axis) + first;
+    receivers.count = count;
+    kernels_for(count).near_bodies(lined_, numbers_.data(), numbers_.size(), receivers, near_.data());
+    behind_.clear();
+    for (std::size_t i = 0; i < count; ++i)
+        if (near_[i] >= 0.0) add_behind(points, first, i, near_[i]);
+    find_past_balls();
     for (std::size_t i = 0; i < count; ++i) {
-        if (hiding_[i] == ShadowShares::several) continue;
-        const ShadowBody& body = numbers_[static_cast<std::size_t>(hiding_[i])];
-        if (body.kind != ShadowBody::Kind::ball) continue;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            behind_ball_[axis][behind] = points.numbers(axis)[first + i];
-            behind_ball_[3 + axis][behind] = points.numbers(3 + axis)[first + i];
-            behind_ball_[6 + axis][behind] = body.middle[axis];
-        }
-        behind_ball_[9][behind] = body.radius;
-        of_point_[behind++] = i;
+        const double share = past_ball_[i];
+        if (near_[i] == NearBodies::none) continue;
+        if (share >= 0.0 && (!is_glossy || share == 0.0 || share == 1.0))
+            shares_[first + i] = {share, glm::vec3(static_cast<float>(share))};
+        else
+            left_.add(points, first, i);
     }
-    if (behind == 0) return;
-    transport::ReceiversBehindBalls receivers;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        receivers.receivers.position[axis] = behind_ball_[axis].data();
-        receivers.receivers.normal[axis] = behind_ball_[3 + axis].data();
-        receivers.middle[axis] = behind_ball_[6 + axis].data();
-    }
-    receivers.receivers.count = behind;
-    receivers.radius = behind_ball_[9].data();
-    std::array<double, block> share;
-    const transport::ShadowKernels& kernels = behind == 1 ? plain_kernels_ : kernels_;
-    kernels.share_past_balls(lined_, receivers, share.data());
-    for (std::size_t k = 0; k < behind; ++k)
-        past_ball_[of_point_[k]] = share[k];
 }
 
-void SoftShadow::find_cells_of(std::size_t i, const glm::dvec3& point) {
+void SoftShadow::add_behind(const ShadowPoints& points, std::size_t first, std::size_t i, double body) {
+    const ShadowBody& ball = numbers_[static_cast<std::size_t>(body)];
+    if (ball.kind != ShadowBody::Kind::ball) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        middle_[axis][behind_.count] = ball.middle[axis];
+    radius_[behind_.count] = ball.radius;
+    behind_.add(points, first, i);
+}
+
+void SoftShadow::find_past_balls() {
+    if (behind_.count == 0) return;
+    transport::ReceiversBehindBalls receivers;
+    receivers.receivers = behind_.receivers();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        receivers.middle[axis] = middle_[axis].data();
+    receivers.radius = radius_.data();
+    std::array<double, block> share;
+    kernels_for(behind_.count).share_past_balls(lined_, receivers, share.data());
+    for (std::size_t k = 0; k < behind_.count; ++k)
+        past_ball_[behind_.index[k]] = share[k];
+}
+
+void SoftShadow::find_cells_of(std::size_t k, const glm::dvec3& point) {
     constexpr std::size_t all = ShadowShares::cells * cell_stride;
     for (std::size_t cell = 0; cell < ShadowShares::cells; ++cell) {
-        const float* const at = cells_.data() + cell * cell_stride + i;
+        const float* const at = cells_.data() + cell * cell_stride + k;
         seen_[cell] = at[0];
         light_of_[cell] = at[all];
         for (std::size_t axis = 0; axis < 3; ++axis)

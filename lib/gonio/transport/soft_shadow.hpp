@@ -87,10 +87,16 @@ private:
     // Between the cells of a point: not a power of two, of which few lines of a cache fit at once.
     static constexpr std::size_t cell_stride = block + 16;
 
+    const transport::ShadowKernels& kernels_for(std::size_t count) const {
+        return count == 1 ? plain_kernels_ : kernels_;
+    }
     void find(std::size_t own, const ShadowPoints& points, std::size_t first, std::size_t count, bool with_luminance);
-    // The closed form of all points behind a single ball.
-    void find_past_balls(const ShadowPoints& points, std::size_t first, std::size_t count);
-    void find_cells_of(std::size_t i, const glm::dvec3& point);
+    // What is settled without lines; the points that are left.
+    void find_left(const ShadowPoints& points, std::size_t first, std::size_t count, bool is_glossy);
+    // The points of a block that a single ball hides the light from are collected, and their closed form found at once.
+    void add_behind(const ShadowPoints& points, std::size_t first, std::size_t i, double body);
+    void find_past_balls();
+    void find_cells_of(std::size_t k, const glm::dvec3& point); // of the points left
     double integrated(const glm::dvec3& normal) const;
     // The share of illuminance behind a single solid, if it has a closed form.
     std::optional<double> closed_form(const Primitive& body, const glm::dvec3& point, const glm::dvec3& normal) const;
@@ -106,15 +112,43 @@ private:
     std::vector<std::vector<std::uint32_t>> bodies_; // by surface
     std::vector<VisibleShare> shares_;
 
-    // Of one block:
+    // Some points of a block, side by side.
+    struct ChosenPoints {
+        std::array<std::array<double, block>, 6> numbers{}; // positions, then normals
+        std::array<std::size_t, block> index{};             // of each in the block
+        std::size_t count = 0;
+
+        void clear() { count = 0; }
+        void add(const ShadowPoints& points, std::size_t first, std::size_t i) {
+            for (std::size_t axis = 0; axis < numbers.size(); ++axis)
+                numbers[axis][count] = points.numbers(axis)[first + i];
+            index[count++] = i;
+        }
+        transport::ShadowReceivers receivers() const {
+            transport::ShadowReceivers all;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                all.position[axis] = numbers[axis].data();
+                all.normal[axis] = numbers[3 + axis].data();
+            }
+            all.count = count;
+            return all;
+        }
+    };
+
+    // Of the surface that is asked for:
     std::vector<ShadowBody> numbers_; // of the bodies
+    bool may_have_balls_ = false;     // whether the light is a uniform sphere, and balls are among the bodies
     std::vector<std::byte> scratch_;
+
+    // Of one block:
+    std::array<double, block> near_{};      // transport::NearBodies
+    std::array<double, block> past_ball_{}; // the share of illuminance; negative where it is not known
+    ChosenPoints behind_;                   // a ball each, of which these are middle and radius
+    std::array<std::array<double, block>, 3> middle_{};
+    std::array<double, block> radius_{};
+    ChosenPoints left_; // need lines
     std::array<double, block> visible_{};
     std::array<double, block> hiding_{};
-    std::array<double, block> past_ball_{}; // the share of illuminance; negative if another form has it
-    std::array<std::array<double, block>, 10>
-        behind_ball_{}; // of such points: position, normal, ball's middle and radius
-    std::array<std::size_t, block> of_point_{};
     std::vector<float> cells_; // their visible shares, solid angles and directions
 
     // Of one point:

@@ -332,6 +332,42 @@ TEST(ShadowKernels, ShareBehindABallIsTheOverlapOfCaps) {
     }
 }
 
+// Of the bodies that are not near no line is hidden, so that the only one that is near hides as much as all.
+TEST(ShadowKernels, OnlyBodiesThatAreNearHide) {
+    std::size_t by_none = 0;
+    std::size_t by_one = 0;
+    for (const Case& of : cases()) {
+        const Shares all = shares_of(simd::InstructionSet::scalar, of.light, of.bodies, of.receivers);
+        ShadowReceivers receivers;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            receivers.position[axis] = of.receivers.numbers[axis].data();
+        receivers.count = receiver_count;
+        std::vector<double> near(receiver_count);
+        shadow_kernels(simd::InstructionSet::scalar)
+            .near_bodies(of.light, of.bodies.data(), of.bodies.size(), receivers, near.data());
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            std::vector<double> packed(receiver_count);
+            shadow_kernels(set).near_bodies(of.light, of.bodies.data(), of.bodies.size(), receivers, packed.data());
+            EXPECT_EQ(packed, near) << simd::to_text(set);
+        }
+        for (std::size_t body = 0; body < of.bodies.size(); ++body) {
+            const Shares alone = shares_of(simd::InstructionSet::scalar, of.light, {of.bodies[body]}, of.receivers);
+            for (std::size_t i = 0; i < receiver_count; ++i) {
+                if (near[i] != static_cast<double>(body)) continue;
+                EXPECT_EQ(alone.visible[i], all.visible[i]);
+                if (all.is_in_penumbra(i)) ++by_one;
+            }
+        }
+        for (std::size_t i = 0; i < receiver_count; ++i) {
+            if (near[i] != NearBodies::none) continue;
+            EXPECT_EQ(all.visible[i], 1.0);
+            ++by_none;
+        }
+    }
+    EXPECT_GT(by_none, 500U);
+    EXPECT_GT(by_one, 500U);
+}
+
 TEST(ShadowKernels, TheSameBodyTwiceHidesAsMuch) {
     std::size_t by_one = 0;
     for (const Case& of : cases()) {
