@@ -3,12 +3,11 @@
 // payloads, and of what it specializes. Arcs of a child are stronger than those that its parent brought.
 #include <gonio/base/limits.hpp>
 #include <gonio/base/text.hpp>
-#include <gonio/interchange/detail/usda.hpp>
+#include <gonio/interchange/detail/usda_layers.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <list>
 #include <map>
 #include <set>
@@ -21,35 +20,6 @@ namespace {
 constexpr std::uint32_t no_prim = 0xffffffff;
 constexpr std::size_t no_file = std::string::npos;
 
-// Without ".", and without ".." where a folder is left that was entered.
-std::string normalised(std::string_view path) {
-    std::vector<std::string_view> parts;
-    const bool is_absolute = path.starts_with('/');
-    while (!path.empty()) {
-        const std::size_t end = std::min(path.find_first_of("/\\"), path.size());
-        const std::string_view part = path.substr(0, end);
-        path.remove_prefix(std::min(end + 1, path.size()));
-        if (part.empty() || part == ".") continue;
-        if (part == ".." && !parts.empty() && parts.back() != "..")
-            parts.pop_back();
-        else
-            parts.push_back(part);
-    }
-    std::string made = is_absolute ? "/" : "";
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        made.append(i == 0 ? "" : "/").append(parts[i]);
-    return made;
-}
-
-// Of an arc in times that are themselves nested.
-UsdTimes nested(UsdTimes in, UsdTimes of) {
-    return {in.offset + in.scale * of.offset, in.scale * of.scale};
-}
-
-bool is_finite(UsdTimes times) {
-    return std::isfinite(times.offset) && std::isfinite(times.scale);
-}
-
 // A prim or a variant in a layer; `prim` is no_prim for the layer's root.
 struct Site {
     std::uint32_t stack = 0;
@@ -58,33 +28,14 @@ struct Site {
     UsdTimes times;
 };
 
-// A layer with its sublayers, the strongest first.
-struct LayerOfStack {
-    std::uint32_t layer = 0;
-    UsdTimes times;
-};
-
-struct ParsedLayer {
-    UsdLayer layer;
-    // By parent and name; variants are left out, and are listed by the prim that they are of.
-    std::map<std::pair<std::uint32_t, std::string_view>, std::uint32_t> prims;
-    std::map<std::uint32_t, std::vector<std::uint32_t>> children;
-    struct Variants {
-        std::string_view set;
-        std::map<std::string_view, std::vector<std::uint32_t>> by_name;
-    };
-    std::map<std::uint32_t, std::vector<Variants>> variants; // sets in their order
-    bool is_indexed = false;
-};
-
 class Composer {
 public:
-    Composer(UsdStage& stage, const SceneReadOptions& options) : stage_(stage), options_(options) {}
+    Composer(UsdStage& stage, const SceneReadOptions& options) : stage_(stage), layers_(stage, options) {}
 
     Result<void> compose(std::string_view bytes, const std::string& source) {
-        Result<std::uint32_t> root = is_archive(bytes) ? open_archive_root(bytes, source) : add_root(bytes, source);
+        Result<std::uint32_t> root = layers_.open_root(bytes, source);
         if (!root) return pass_on(root);
-        UsdLayer& layer = layers_.front().layer;
+        UsdLayer& layer = layers_[*root].layer;
         if (!layer.is_composed_of) {
             stage_.layer = std::move(layer);
             return {};
@@ -93,276 +44,20 @@ public:
         stage_.layer = layer; // the metadata
         stage_.layer.compositions.clear();
         layer.prims = std::move(prims);
-        Result<std::uint32_t> stack = stack_of(*root);
+        Result<std::uint32_t> stack = layers_.stack_of(*root);
         if (!stack) return pass_on(stack);
         if (Result<void> flat = flatten(*stack); !flat) return flat;
-        for (ParsedLayer& each : layers_) // what opinions point to stays where it is
-            stage_.layers.push_back(std::move(each.layer));
-        close_counts();
+        layers_.close(); // what opinions point to stays where it is
         return {};
     }
 
 private:
-    // Warnings of a code: the first ones, and in how many further places there would be more.
-    struct Said {
-        std::set<std::string, std::less<>> messages;
-        std::set<std::pair<std::uint32_t, std::size_t>> more;
-        std::size_t last = 0; // of the stage's diagnostics
-    };
-
-    // `at` in the text of `layer`.
-    void warn(SceneCode code, std::uint32_t layer, std::size_t at, const std::string& message, std::string hint = {}) {
-        constexpr std::size_t most = 20;
-        Said& of = said_[code->code];
-        if (of.messages.contains(message)) return;
-        if (of.messages.size() == most) {
-            of.more.insert({layer, at});
-            return;
-        }
-        of.messages.insert(message);
-        Diagnostic said;
-        said.code = code->code;
-        said.severity = code->severity;
-        said.location = stage_.place(layer, at);
-        said.message = message;
-        said.hint = std::move(hint);
-        of.last = stage_.diagnostics.size();
-        stage_.diagnostics.push_back(std::move(said));
-    }
-
-    void close_counts() {
-        for (const auto& [code, of] : said_)
-            if (!of.more.empty()) stage_.diagnostics[of.last].message += fmt::format(" (and {} more)", of.more.size());
-    }
-
     // Counts what is looked at. A short file may name the same long lists again and again.
     Result<void> look(std::size_t count, const Site& from) {
         constexpr std::size_t most = 64000000;
         looked_at_ += count;
         if (looked_at_ <= most) return {};
         return scene_error("SCN0108", place_of(from), fmt::format("more than {} steps of composition", most));
-    }
-
-    // Layers ----------------------------------------------------------------------------------------------------------
-
-    Result<std::uint32_t> add_root(std::string_view bytes, const std::string& source) {
-        UsdSource root;
-        root.name = source.substr(source.find_last_of("/\\") + 1);
-        return add_layer(bytes, source, std::move(root));
-    }
-
-    Result<std::uint32_t> open_archive_root(std::string_view bytes, const std::string& source) {
-        Result<Archive> archive = Archive::open(bytes, source);
-        if (!archive) return pass_on(archive);
-        stage_.archives.push_back(std::move(*archive));
-        Result<std::optional<std::string_view>> text = first_layer(0, {source, 0, 0}, nullptr);
-        if (!text) return pass_on(text);
-        UsdSource root;
-        root.archive = 0;
-        const ArchiveEntry& entry = stage_.archives.front().entries().front();
-        root.name = entry.name;
-        return add_layer(**text, stage_.archives.front().name_of(entry), std::move(root));
-    }
-
-    // The text of the first file of an archive, which is its scene. Another one is an error, or a warning at `arc`, a
-    // layer and a place in it.
-    Result<std::optional<std::string_view>> first_layer(int archive, const Location& at,
-                                                        const std::pair<std::uint32_t, std::size_t>* arc) {
-        const Archive& of = stage_.archives[static_cast<std::size_t>(archive)];
-        const std::string why = "the first file of a USDZ archive must be a layer of USD as text";
-        const std::string hint = "convert it first: usdcat scene.usdz -o scene.usda";
-        if (of.entries().empty() || !is_usd_name(of.entries().front().name)) {
-            if (arc == nullptr) return scene_error("SCN0101", at, why, hint);
-            warn("SCN0107", arc->first, arc->second, why, hint);
-            return std::optional<std::string_view>();
-        }
-        Result<std::string> bytes = of.read(of.entries().front());
-        if (!bytes) return pass_on(bytes);
-        if (!is_usda(*bytes)) {
-            if (arc == nullptr)
-                return scene_error("SCN0101", {of.name_of(of.entries().front()), 0, 0},
-                                   "this layer is binary USD (USDC), which gonio does not read", hint);
-            warn("SCN0107", arc->first, arc->second, why, hint);
-            return std::optional<std::string_view>();
-        }
-        stage_.texts.push_back(std::move(*bytes));
-        return std::optional<std::string_view>(stage_.texts.back());
-    }
-
-    // `text` outlives the stage; `source` names it in messages.
-    Result<std::uint32_t> add_layer(std::string_view text, const std::string& source, UsdSource about) {
-        const auto index = static_cast<std::uint32_t>(layers_.size());
-        Result<UsdLayer> parsed = parse_usda(text, source);
-        if (!parsed) return pass_on(parsed);
-        about.places = TextPlaces(text, source);
-        stage_.sources.push_back(std::move(about));
-        layers_.emplace_back();
-        ParsedLayer& made = layers_.back();
-        made.layer = std::move(*parsed);
-        for (UsdPrim& prim : made.layer.prims) {
-            prim.layer = index;
-            for (UsdAttribute& attribute : prim.attributes) {
-                attribute.value.layer = index;
-                for (UsdSample& sample : attribute.samples)
-                    sample.value.layer = index;
-            }
-        }
-        return index;
-    }
-
-    static void index_layer(ParsedLayer& of) {
-        if (std::exchange(of.is_indexed, true)) return;
-        std::map<std::pair<std::uint32_t, std::string_view>, std::size_t> sets;
-        for (std::uint32_t i = 0; i < of.layer.prims.size(); ++i) {
-            const UsdPrim& prim = of.layer.prims[i];
-            if (prim.is_variant) {
-                const std::string_view set = of.layer.compositions.at(i).variant_set;
-                std::vector<ParsedLayer::Variants>& all = of.variants[prim.parent];
-                const auto [at, is_new] = sets.try_emplace({prim.parent, set}, all.size());
-                if (is_new) all.push_back({set, {}});
-                all[at->second].by_name[prim.name].push_back(i);
-            } else if (of.prims.try_emplace({prim.parent, prim.name}, i).second) {
-                of.children[prim.parent].push_back(i);
-            }
-        }
-    }
-
-    // The file that an arc names, as a number. Files of the same name in other folders have others.
-    std::size_t file_of(std::uint32_t from, const UsdArc& arc) {
-        const auto [known, is_new] = file_by_arc_.try_emplace({from, arc.at});
-        if (is_new) {
-            const UsdSource& source = stage_.sources[from];
-            const auto [file, is_unknown] =
-                files_.try_emplace({source.archive, usd_file_name(source, arc.asset)}, files_.size());
-            known->second = file->second;
-        }
-        return known->second;
-    }
-
-    // Once for each arc: prims that are composed of the same one share its arcs.
-    Result<std::optional<std::uint32_t>> layer_of(std::uint32_t from, const UsdArc& arc) {
-        if (const auto known = layer_by_arc_.find({from, arc.at}); known != layer_by_arc_.end()) return known->second;
-        Result<std::optional<std::uint32_t>> found = find_layer(from, arc);
-        if (found) layer_by_arc_[{from, arc.at}] = *found;
-        return found;
-    }
-
-    // A layer that another one names; nothing if it is missing, which is said.
-    Result<std::optional<std::uint32_t>> find_layer(std::uint32_t from, const UsdArc& arc) {
-        const auto place = [&] { return stage_.place(from, arc.at); };
-        const std::string written = shown_text(arc.asset);
-        const auto missing = [&](std::string why, std::string hint = {}) -> Result<std::optional<std::uint32_t>> {
-            warn("SCN0107", from, arc.at, fmt::format("the layer '{}' is left out: {}", written, why), std::move(hint));
-            return std::optional<std::uint32_t>();
-        };
-        if (arc.asset.starts_with('`')) return missing("its name is an expression");
-        UsdSource about;
-        about.archive = stage_.sources[from].archive;
-        about.name = usd_file_name(stage_.sources[from], arc.asset);
-        const auto [known, is_new] = by_name_.try_emplace({about.archive, about.name});
-        if (!is_new) return known->second;
-        if (about.archive == stage_.sources[0].archive && about.name == stage_.sources[0].name)
-            return known->second = 0U;
-        if (by_name_.size() > limit("scene-layers").value)
-            return scene_error("SCN0108", place(), fmt::format("more than {}", to_text(limit("scene-layers"))),
-                               std::string(limits_hint));
-        std::string_view text;
-        std::string source;
-        if (about.archive >= 0) {
-            const Archive& archive = stage_.archives[static_cast<std::size_t>(about.archive)];
-            const ArchiveEntry* const entry = archive.find(about.name);
-            if (entry == nullptr) return missing("it is not in the archive");
-            Result<std::string> bytes = archive.read(*entry);
-            if (!bytes) return pass_on(bytes);
-            stage_.texts.push_back(std::move(*bytes));
-            source = archive.name_of(*entry);
-        } else {
-            if (!options_.read_beside) return missing("files beside the scene are not read");
-            Result<std::string> bytes = options_.read_beside(about.name);
-            if (!bytes) {
-                const Diagnostics& why = bytes.error().diagnostics;
-                return missing(why.empty() ? std::string("it cannot be read") : why.back().message,
-                               why.empty() ? std::string() : why.back().hint);
-            }
-            stage_.texts.push_back(std::move(*bytes));
-            source = about.name;
-        }
-        text = stage_.texts.back();
-        if (is_archive(text)) {
-            if (about.archive >= 0) return missing("it is an archive in an archive");
-            Result<Archive> archive = Archive::open(text, about.name);
-            if (!archive) return pass_on(archive);
-            about.archive = static_cast<int>(stage_.archives.size());
-            stage_.archives.push_back(std::move(*archive));
-            const std::pair where(from, arc.at);
-            Result<std::optional<std::string_view>> first = first_layer(about.archive, place(), &where);
-            if (!first) return pass_on(first);
-            if (!*first) return std::optional<std::uint32_t>();
-            const ArchiveEntry& entry = stage_.archives.back().entries().front();
-            about.name = entry.name;
-            source = stage_.archives.back().name_of(entry);
-            text = **first;
-        }
-        if (text.starts_with("PXR-USDC"))
-            return missing("it is binary USD (USDC)", "convert it first: usdcat scene.usdc -o scene.usda");
-        if (!is_usda(text)) return missing("it is not USD as text");
-        Result<std::uint32_t> made = add_layer(text, source, std::move(about));
-        if (!made) return pass_on(made);
-        // USD converts nothing between layers.
-        const UsdLayer& layer = layers_[*made].layer;
-        const UsdLayer& root = layers_.front().layer;
-        if (layer.meters_per_unit != root.meters_per_unit || layer.up != root.up)
-            warn("SCN0201", from, arc.at,
-                 fmt::format(
-                     "the layer '{}' has another unit or axis than the scene: as in USD, its lengths and axes are "
-                     "taken as those of the scene",
-                     written));
-        return known->second = *made;
-    }
-
-    // The layer with its sublayers. It is the first of its stack.
-    Result<std::uint32_t> stack_of(std::uint32_t root) {
-        const auto [known, is_new] = stack_by_layer_.try_emplace(root, static_cast<std::uint32_t>(stacks_.size()));
-        if (!is_new) return known->second;
-        const std::uint32_t index = known->second;
-        stacks_.emplace_back();
-        std::vector<LayerOfStack> stack;
-        std::vector<std::uint32_t> active;
-        if (Result<void> added = add_sublayers(root, {}, stack, active); !added) return pass_on(added);
-        stacks_[index] = std::move(stack);
-        return index;
-    }
-
-    Unexpected beyond_numbers(std::uint32_t layer, const UsdArc& arc) {
-        return scene_error("SCN0105", stage_.place(layer, arc.at),
-                           "with those around it, the offset or scale of the layer's times is not a finite number");
-    }
-
-    // NOLINTNEXTLINE(misc-no-recursion): as deep as scene-depth
-    Result<void> add_sublayers(std::uint32_t layer, UsdTimes times, std::vector<LayerOfStack>& stack,
-                               std::vector<std::uint32_t>& active) {
-        index_layer(layers_[layer]);
-        stack.push_back({layer, times});
-        if (active.size() > limit("scene-depth").value || stack.size() > limit("scene-layers").value)
-            return scene_error("SCN0108", stage_.place(layer, 0),
-                               fmt::format("more sublayers than {}", to_text(limit("scene-layers"))),
-                               std::string(limits_hint));
-        active.push_back(layer);
-        const std::vector<UsdArc> arcs = layers_[layer].layer.sublayers;
-        for (const UsdArc& arc : arcs) {
-            if (arc.is_none) continue;
-            Result<std::optional<std::uint32_t>> below = layer_of(layer, arc);
-            if (!below) return pass_on(below);
-            if (!*below) continue;
-            if (std::find(active.begin(), active.end(), **below) != active.end())
-                return scene_error("SCN0104", stage_.place(layer, arc.at),
-                                   fmt::format("the layer '{}' is among its own sublayers", shown_text(arc.asset)));
-            const UsdTimes own = nested(times, arc.times);
-            if (!is_finite(own)) return beyond_numbers(layer, arc);
-            if (Result<void> added = add_sublayers(**below, own, stack, active); !added) return added;
-        }
-        active.pop_back();
-        return {};
     }
 
     // Sites -----------------------------------------------------------------------------------------------------------
@@ -413,14 +108,14 @@ private:
 
     std::vector<Site> root_of(std::uint32_t stack) const {
         std::vector<Site> sites;
-        for (const LayerOfStack& one : stacks_[stack])
+        for (const LayerOfStack& one : layers_.stack(stack))
             sites.push_back({stack, one.layer, no_prim, one.times});
         return sites;
     }
 
     void add_children_named(const std::vector<Site>& parents, std::string_view name, std::vector<Site>& sites) const {
         for (const Site& parent : parents) {
-            const ParsedLayer& layer = layers_[parent.layer];
+            const IndexedLayer& layer = layers_[parent.layer];
             if (const auto child = layer.prims.find({parent.prim, name}); child != layer.prims.end())
                 sites.push_back({parent.stack, parent.layer, child->second, parent.times});
         }
@@ -514,7 +209,7 @@ private:
             if (variants == layers_[site.layer].variants.end()) continue;
             constexpr std::size_t steps = 16; // of each set
             if (Result<void> looked = look(steps * variants->second.size(), site); !looked) return looked;
-            for (const ParsedLayer::Variants& of : variants->second) {
+            for (const IndexedLayer::Variants& of : variants->second) {
                 const auto [choice, is_new] = selected.try_emplace(of.set);
                 if (is_new) {
                     Result<const std::string*> found = selection(of.set, sites, base);
@@ -522,9 +217,10 @@ private:
                     choice->second = {*found, chosen.size()};
                     chosen.emplace_back();
                     if (*found == nullptr)
-                        warn("SCN0201", site.layer, prim_at({site.stack, site.layer, first_of(of), {}}).offset,
-                             fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
-                                         shown_text(of.set), shown_text(path_of(site))));
+                        layers_.warn(
+                            "SCN0201", site.layer, prim_at({site.stack, site.layer, first_of(of), {}}).offset,
+                            fmt::format("the variant set '{}' of '{}' has no selection: none of its variants is taken",
+                                        shown_text(of.set), shown_text(path_of(site))));
                 }
                 const Selected& one = choice->second;
                 if (one.variant == nullptr) continue;
@@ -543,7 +239,7 @@ private:
     }
 
     // In the text.
-    static std::uint32_t first_of(const ParsedLayer::Variants& set) {
+    static std::uint32_t first_of(const IndexedLayer::Variants& set) {
         std::uint32_t first = no_prim;
         for (const auto& [name, variants] : set.by_name)
             first = std::min(first, variants.front());
@@ -587,7 +283,7 @@ private:
             if (arcs.empty()) continue;
             if (Result<void> looked = look(arcs.size(), site); !looked) return looked;
             const auto key_of = [&](const UsdArc& arc) {
-                return Key(arc.asset.empty() ? no_file : file_of(site.layer, arc), arc.path);
+                return Key(arc.asset.empty() ? no_file : layers_.file_of(site.layer, arc), arc.path);
             };
             const auto is_said = [&](const UsdArc& arc, UsdListEdit edit) {
                 return arc.kind == kind && arc.edit == edit && !arc.is_none;
@@ -628,26 +324,27 @@ private:
         std::uint32_t stack = site.stack;
         std::string path = arc.path;
         if (!arc.asset.empty()) {
-            Result<std::optional<std::uint32_t>> layer = layer_of(site.layer, arc);
+            Result<std::optional<std::uint32_t>> layer = layers_.layer_of(site.layer, arc);
             if (!layer) return pass_on(layer);
             if (!*layer) return {};
-            Result<std::uint32_t> found = stack_of(**layer);
+            Result<std::uint32_t> found = layers_.stack_of(**layer);
             if (!found) return pass_on(found);
             stack = *found;
         }
         if (path.empty()) {
-            path = layers_[stacks_[stack].front().layer].layer.default_prim;
+            path = layers_[layers_.stack(stack).front().layer].layer.default_prim;
             if (path.empty()) {
-                warn("SCN0107", site.layer, arc.at,
-                     fmt::format("the layer '{}' has no defaultPrim: the reference to it is left out",
-                                 shown_text(arc.asset)));
+                layers_.warn("SCN0107", site.layer, arc.at,
+                             fmt::format("the layer '{}' has no defaultPrim: the reference to it is left out",
+                                         shown_text(arc.asset)));
                 return {};
             }
             if (!path.starts_with('/')) path.insert(0, "/");
         }
         if (!path.starts_with('/') || path.size() < 2 || path.find_first_of(".{") != std::string::npos) {
-            warn("SCN0107", site.layer, arc.at,
-                 fmt::format("'<{}>' is left out: only absolute paths of prims are followed", shown_text(path)));
+            layers_.warn(
+                "SCN0107", site.layer, arc.at,
+                fmt::format("'<{}>' is left out: only absolute paths of prims are followed", shown_text(path)));
             return {};
         }
         if (path.ends_with('/')) path.pop_back();
@@ -659,12 +356,13 @@ private:
         Result<std::vector<Site>> target = base_of(stack, path, site, arc.at);
         if (!target) return pass_on(target);
         if (target->empty() && arc.kind != UsdArcKind::inherit && arc.kind != UsdArcKind::specialize)
-            warn("SCN0107", site.layer, arc.at, fmt::format("there is no prim '{}' to refer to", shown_text(path)));
+            layers_.warn("SCN0107", site.layer, arc.at,
+                         fmt::format("there is no prim '{}' to refer to", shown_text(path)));
         const UsdTimes times = nested(site.times, arc.times);
-        if (!is_finite(times)) return beyond_numbers(site.layer, arc);
+        if (!is_finite(times)) return layers_.beyond_numbers(site.layer, arc);
         for (Site& one : *target) {
             one.times = nested(times, one.times);
-            if (!is_finite(one.times)) return beyond_numbers(site.layer, arc);
+            if (!is_finite(one.times)) return layers_.beyond_numbers(site.layer, arc);
         }
         // In the same list, so that the stronger sites in it select variants.
         if (Result<void> expanded = expand(*target, sites); !expanded) return expanded;
@@ -720,7 +418,7 @@ private:
     void list_children(Open& of) const {
         std::set<std::string_view> known;
         for (const Site& site : of.sites) {
-            const ParsedLayer& layer = layers_[site.layer];
+            const IndexedLayer& layer = layers_[site.layer];
             const auto children = layer.children.find(site.prim);
             if (children == layer.children.end()) continue;
             for (const std::uint32_t child : children->second)
@@ -789,31 +487,15 @@ private:
     }
 
     UsdStage& stage_;
-    const SceneReadOptions& options_;
-    std::deque<ParsedLayer> layers_;                                              // as UsdStage::sources
-    std::map<std::pair<int, std::string>, std::optional<std::uint32_t>> by_name_; // nothing: missing
-    std::vector<std::vector<LayerOfStack>> stacks_;
-    std::map<std::uint32_t, std::uint32_t> stack_by_layer_;
+    UsdLayers layers_;
     std::map<std::pair<std::uint32_t, std::string>, std::vector<Site>> sites_by_path_;
     std::vector<std::pair<std::uint32_t, std::string>> active_;
-    // By the layer and the place in it.
-    std::map<std::pair<std::uint32_t, std::size_t>, std::optional<std::uint32_t>> layer_by_arc_; // nothing: missing
-    std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> file_by_arc_;
-    std::map<std::pair<int, std::string>, std::size_t> files_; // by archive and name
-    std::map<std::string_view, Said> said_;                    // by code
     std::size_t composed_sites_ = 0;
     std::size_t looked_at_ = 0;
     std::size_t kept_bytes_ = 0;
 };
 
 } // namespace
-
-std::string usd_file_name(const UsdSource& from, std::string_view asset) {
-    if (asset.starts_with('/')) return normalised(asset);
-    const std::size_t slash = from.name.rfind('/');
-    return normalised(slash == std::string::npos ? std::string(asset)
-                                                 : from.name.substr(0, slash + 1) + std::string(asset));
-}
 
 Result<UsdStage> compose_usd(std::string_view bytes, const std::string& source, const SceneReadOptions& options) {
     UsdStage stage;
