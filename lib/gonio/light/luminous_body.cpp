@@ -35,25 +35,19 @@ Lumens flux_towards(const Web& web, const glm::dvec3& normal) {
     std::vector<glm::dvec3> azimuths; // the sine of 90° is 1
     for (int column = 0; column < columns; ++column)
         azimuths.push_back(direction_of({Radians((column + 0.5) * 2.0 * pi / columns), Radians(0.5 * pi)}));
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> z;
+    std::vector<glm::dvec3> directions;
     std::vector<double> candela(columns);
     double sum = 0.0;
     for (int row = 0; row < rows; ++row) {
         const Radians gamma((row + 0.5) * pi / rows);
         const double sine = std::sin(gamma.value);
-        for (std::vector<double>* const numbers : {&x, &y, &z})
-            numbers->clear();
+        directions.clear();
         for (const glm::dvec3& azimuth : azimuths) {
             const glm::dvec3 direction(sine * azimuth.x, sine * azimuth.y, -std::cos(gamma.value));
-            if (!(glm::dot(direction, normal) > 0.0)) continue;
-            x.push_back(direction.x);
-            y.push_back(direction.y);
-            z.push_back(direction.z);
+            if (glm::dot(direction, normal) > 0.0) directions.push_back(direction);
         }
-        const std::span<double> found(candela.data(), x.size());
-        quick.candela(x, y, z, found);
+        const std::span<double> found(candela.data(), directions.size());
+        quick.candela(directions, found);
         for (const double cd : found)
             sum += std::max(cd, 0.0) * sine;
     }

@@ -138,8 +138,8 @@ std::vector<double> plane_azimuths(const Web& mask) {
     if (stored == Symmetry::axial) return degrees;
     for (const double c : mask.planes_deg()) {
         degrees.push_back(c);
-        if (stored == Symmetry::bilateral_0_180 || stored == Symmetry::quadrant) degrees.push_back(-c);
-        if (stored == Symmetry::bilateral_90_270 || stored == Symmetry::quadrant) degrees.push_back(180.0 - c);
+        if (mirrored_in_0_180(stored)) degrees.push_back(-c);
+        if (mirrored_in_90_270(stored)) degrees.push_back(180.0 - c);
         if (stored == Symmetry::quadrant) degrees.push_back(180.0 + c);
     }
     for (double& c : degrees)

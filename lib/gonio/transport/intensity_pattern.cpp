@@ -157,10 +157,9 @@ WebTable::WebTable(const Web& web)
 }
 
 WebConstants WebTable::constants(double scale) const {
-    const bool both = symmetry_ == Symmetry::quadrant;
     return {angles_,
-            both || symmetry_ == Symmetry::bilateral_90_270,
-            both || symmetry_ == Symmetry::bilateral_0_180,
+            mirrored_in_90_270(symmetry_),
+            mirrored_in_0_180(symmetry_),
             horizontal_.constants(),
             vertical_.constants(),
             candela_.data(),

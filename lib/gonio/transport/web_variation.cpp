@@ -20,8 +20,8 @@ struct Coordinates {
     explicit Coordinates(const Web& of_web) : web(of_web), is_transposed(of_web.photometry() == Photometry::b) {
         const bool has_latitudes = web.photometry() != Photometry::c;
         const Symmetry symmetry = web.stored_symmetry();
-        const bool mirrors_x = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_90_270;
-        const bool mirrors_y = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_0_180;
+        const bool mirrors_x = mirrored_in_90_270(symmetry);
+        const bool mirrors_y = mirrored_in_0_180(symmetry);
         for (const double deg : is_transposed ? web.vertical_deg() : web.horizontal_deg())
             longitudes.push_back(degrees(deg).value);
         for (const double deg : is_transposed ? web.horizontal_deg() : web.vertical_deg())

@@ -42,8 +42,8 @@ Axes axes_of(const AuthoredShape& shape, const AuthorOptions& options) {
     Axes axes{shape.symmetry, {}, {}};
     if (options.photometry != Photometry::c) {
         if (shape.symmetry == Symmetry::axial) axes.stored = Symmetry::quadrant;
-        const bool across = axes.stored == Symmetry::quadrant || axes.stored == Symmetry::bilateral_90_270;
-        const bool along = axes.stored == Symmetry::quadrant || axes.stored == Symmetry::bilateral_0_180;
+        const bool across = mirrored_in_90_270(axes.stored);
+        const bool along = mirrored_in_0_180(axes.stored);
         axes.horizontal = angles(across ? 0.0 : -90.0, 90.0, h);
         axes.vertical = angles(along ? 0.0 : -90.0, 90.0, v);
         return axes;

@@ -161,23 +161,22 @@ private:
         const QuickWeb quick_a(a_);
         const QuickWeb quick_b(b_);
         const double margin_cd = quick_a.margin_cd() + quick_b.margin_cd();
-        std::vector<double> x, y, z, a_row, b_row;
+        std::vector<glm::dvec3> directions;
+        std::vector<double> a_row;
+        std::vector<double> b_row;
         for (const Web* const web : {&a_, &b_}) {
             const std::span<const double> vertical_deg = web->vertical_deg();
-            for (std::vector<double>* const numbers : {&x, &y, &z, &a_row, &b_row})
-                numbers->resize(vertical_deg.size());
+            directions.resize(vertical_deg.size());
+            a_row.resize(vertical_deg.size());
+            b_row.resize(vertical_deg.size());
             for (const double h : web->horizontal_deg()) {
-                for (std::size_t j = 0; j < vertical_deg.size(); ++j) {
-                    const glm::dvec3 direction = direction_of(web->photometry(), {h, vertical_deg[j]});
-                    x[j] = direction.x;
-                    y[j] = direction.y;
-                    z[j] = direction.z;
-                }
-                quick_a.candela(x, y, z, a_row);
-                quick_b.candela(x, y, z, b_row);
+                for (std::size_t j = 0; j < vertical_deg.size(); ++j)
+                    directions[j] = direction_of(web->photometry(), {h, vertical_deg[j]});
+                quick_a.candela(directions, a_row);
+                quick_b.candela(directions, b_row);
                 for (std::size_t j = 0; j < vertical_deg.size(); ++j) {
                     if (std::abs(a_row[j] - b_row[j]) + margin_cd <= found_.greatest.value) continue;
-                    const glm::dvec3 direction(x[j], y[j], z[j]);
+                    const glm::dvec3& direction = directions[j];
                     look_at(angles_of(Photometry::c, direction), a_.candela(direction), b_.candela(direction));
                 }
             }

@@ -47,8 +47,8 @@ void extend_types_ab(Grid& grid, Symmetry symmetry, Losses& losses) {
     const double h_last = grid.horizontal_deg.back();
     const double v = grid.vertical_deg.front();
     const double v_last = grid.vertical_deg.back();
-    const bool h_mirrored = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_90_270;
-    const bool v_mirrored = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_0_180;
+    const bool h_mirrored = mirrored_in_90_270(symmetry);
+    const bool v_mirrored = mirrored_in_0_180(symmetry);
     const bool vertical = extend_vertical(grid, v_mirrored ? 0.0 : -90.0, 90.0);
     const bool horizontal = extend_horizontal(grid, h_mirrored ? 0.0 : -90.0, 90.0);
     if (!vertical && !horizontal) return;

@@ -38,8 +38,8 @@ Meridians::Meridians(const Web& web) {
         azimuths_deg = plane_bends_deg(web);
         polars_deg.assign(web.vertical_deg().begin(), web.vertical_deg().end());
     } else {
-        const bool mirrors_h = stored == Symmetry::quadrant || stored == Symmetry::bilateral_90_270;
-        const bool mirrors_v = stored == Symmetry::quadrant || stored == Symmetry::bilateral_0_180;
+        const bool mirrors_h = mirrored_in_90_270(stored);
+        const bool mirrors_v = mirrored_in_0_180(stored);
         const std::vector<double> h = with_mirror(web.horizontal_deg(), mirrors_h);
         const std::vector<double> v = with_mirror(web.vertical_deg(), mirrors_v);
         const bool a = type == Photometry::a;

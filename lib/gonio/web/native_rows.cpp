@@ -49,25 +49,19 @@ void NativeRows::quick(double c_deg, std::span<double> to) {
 
 bool is_lit_at(const Web& web, const QuickWeb& quick, double gamma_deg) {
     constexpr std::size_t chunk = 40;
-    std::array<double, chunk> x{};
-    std::array<double, chunk> y{};
-    std::array<double, chunk> z{};
+    std::array<glm::dvec3, chunk> directions{};
     std::array<double, chunk> candela{};
     std::array<char, chunk> is_exact{};
     if (web.candela(0.0, gamma_deg) != 0.0) return true;
     for (int begin = 0; begin < 360; begin += static_cast<int>(chunk)) {
-        for (std::size_t i = 0; i < chunk; ++i) {
-            const glm::dvec3 direction =
+        for (std::size_t i = 0; i < chunk; ++i)
+            directions[i] =
                 direction_of(Photometry::c, {static_cast<double>(begin) + static_cast<double>(i), gamma_deg});
-            x[i] = direction.x;
-            y[i] = direction.y;
-            z[i] = direction.z;
-        }
-        quick.candela(x, y, z, candela, is_exact);
+        quick.candela(directions, candela, is_exact);
         for (std::size_t i = 0; i < chunk; ++i) {
             const double least = is_exact[i] != 0 ? 0.0 : quick.margin_cd();
             if (std::abs(candela[i]) > least) return true;
-            if (is_exact[i] == 0 && web.candela(glm::dvec3(x[i], y[i], z[i])) != 0.0) return true;
+            if (is_exact[i] == 0 && web.candela(directions[i]) != 0.0) return true;
         }
     }
     return false;

@@ -181,8 +181,8 @@ void check_edges(const Web& web, double bright_cd, Findings& says) {
     };
     const std::span<const double> h = web.horizontal_deg();
     const Symmetry symmetry = web.stored_symmetry();
-    const bool h_mirrored = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_90_270;
-    const bool v_mirrored = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_0_180;
+    const bool h_mirrored = mirrored_in_90_270(symmetry);
+    const bool v_mirrored = mirrored_in_0_180(symmetry);
     if (!v_mirrored && first > -90.0) look(brightest_row(web, 0), "V", first, ProfileField::first_vertical);
     if (last < 90.0) look(brightest_row(web, web.vertical_deg().size() - 1), "V", last, ProfileField::last_vertical);
     if (!h_mirrored && h.front() > -90.0) look(brightest_column(0), "H", h.front(), ProfileField::first_horizontal);

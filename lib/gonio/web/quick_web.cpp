@@ -17,12 +17,6 @@ constexpr double most_parts = 4096;
 constexpr double close_deg = 2e-9; // to an end of a table: within half of it, a direction's angle counts as on the end
 constexpr double angle_error_deg = 1e-12;
 
-// Whether a web of type A or B holds one side of a mirror.
-bool is_mirrored(const Web& web, Symmetry mirror) {
-    const Symmetry stored = web.stored_symmetry();
-    return web.photometry() != Photometry::c && (stored == Symmetry::quadrant || stored == mirror);
-}
-
 } // namespace
 
 QuickWeb::Axis::Axis(std::span<const double> angles) : angles_deg(angles) {
@@ -67,8 +61,8 @@ QuickWeb::QuickWeb(const Web& web)
       vertical_(web.vertical_deg()),
       candela_(web.column(0).data()),
       is_axial_(web.photometry() == Photometry::c && web.stored_symmetry() == Symmetry::axial),
-      mirrors_x_(is_mirrored(web, Symmetry::bilateral_90_270)),
-      mirrors_y_(is_mirrored(web, Symmetry::bilateral_0_180)) {
+      mirrors_x_(web.photometry() != Photometry::c && mirrored_in_90_270(web.stored_symmetry())),
+      mirrors_y_(web.photometry() != Photometry::c && mirrored_in_0_180(web.stored_symmetry())) {
     double greatest = 0.0;
     for (std::size_t i = 0; i < web.horizontal_deg().size(); ++i)
         for (const double cd : web.column(i))
@@ -192,6 +186,22 @@ void QuickWeb::candela(std::span<const double> x, std::span<const double> y, std
             to[begin + i] = found.candela;
             if (!is_exact.empty()) is_exact[begin + i] = found.is_exact ? 1 : 0;
         }
+    }
+}
+
+void QuickWeb::candela(std::span<const glm::dvec3> directions, std::span<double> to, std::span<char> is_exact) const {
+    std::array<double, chunk> x;
+    std::array<double, chunk> y;
+    std::array<double, chunk> z;
+    for (std::size_t begin = 0; begin < to.size(); begin += chunk) {
+        const std::size_t count = std::min(chunk, to.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = directions[begin + i].x;
+            y[i] = directions[begin + i].y;
+            z[i] = directions[begin + i].z;
+        }
+        candela({x.data(), count}, {y.data(), count}, {z.data(), count}, to.subspan(begin, count),
+                is_exact.empty() ? is_exact : is_exact.subspan(begin, count));
     }
 }
 

@@ -26,6 +26,7 @@ public:
     // own to the last bit; numbers outside the table and between four zeros are.
     void candela(std::span<const double> x, std::span<const double> y, std::span<const double> z, std::span<double> to,
                  std::span<char> is_exact = {}) const;
+    void candela(std::span<const glm::dvec3> directions, std::span<double> to, std::span<char> is_exact = {}) const;
 
     // What the rounding of an angle can change. Large for a web that jumps between angles that nearly coincide.
     [[nodiscard]] double margin_cd() const { return margin_cd_; }

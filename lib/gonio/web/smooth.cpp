@@ -115,8 +115,7 @@ bool is_mirror(const Web& web, double angle_deg) {
 }
 
 bool is_vertical_mirror(const Web& web, double angle_deg) {
-    return web.photometry() != Photometry::c && angle_deg == 0.0 &&
-           (web.stored_symmetry() == Symmetry::quadrant || web.stored_symmetry() == Symmetry::bilateral_0_180);
+    return web.photometry() != Photometry::c && angle_deg == 0.0 && mirrored_in_0_180(web.stored_symmetry());
 }
 
 Beyond beyond_column(const Web& web, std::size_t horizontal) {

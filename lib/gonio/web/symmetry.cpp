@@ -163,12 +163,10 @@ Web compacted(const Web& web, double tolerance) {
     if (web.photometry() == Photometry::c)
         return compacted_c(web, symmetry, tolerance * std::abs(peak(web).intensity.value));
     // Existing mirrors are kept: every stored mirror is also detected.
-    const auto across = [](Symmetry s) { return s == Symmetry::quadrant || s == Symmetry::bilateral_90_270; };
-    const auto along = [](Symmetry s) { return s == Symmetry::quadrant || s == Symmetry::bilateral_0_180; };
     std::vector<double> horizontal(web.horizontal_deg().begin(), web.horizontal_deg().end());
     std::vector<double> vertical(web.vertical_deg().begin(), web.vertical_deg().end());
-    if (across(symmetry) && !across(stored)) horizontal = folded(web.horizontal_deg());
-    if (along(symmetry) && !along(stored)) vertical = folded(web.vertical_deg());
+    if (mirrored_in_90_270(symmetry) && !mirrored_in_90_270(stored)) horizontal = folded(web.horizontal_deg());
+    if (mirrored_in_0_180(symmetry) && !mirrored_in_0_180(stored)) vertical = folded(web.vertical_deg());
     return on_grid(web, symmetry, std::move(horizontal), std::move(vertical));
 }
 

@@ -150,9 +150,8 @@ std::vector<double> jumps_deg(const Web& web) {
         const bool whole_turn = turns && planes[last] - planes[0] >= 360.0 - 1e-9;
         if (!whole_turn && !is_bright(web.column(end))) continue;
         jumps.push_back(in_one_turn(c));
-        if (stored == Symmetry::quadrant || stored == Symmetry::bilateral_0_180) jumps.push_back(in_one_turn(-c));
-        if (stored == Symmetry::quadrant || stored == Symmetry::bilateral_90_270)
-            jumps.push_back(in_one_turn(180.0 - c));
+        if (mirrored_in_0_180(stored)) jumps.push_back(in_one_turn(-c));
+        if (mirrored_in_90_270(stored)) jumps.push_back(in_one_turn(180.0 - c));
         if (stored == Symmetry::quadrant) jumps.push_back(in_one_turn(180.0 + c));
     }
     sort_unique(jumps);
@@ -349,8 +348,8 @@ Result<Web> symmetrized(const Web& web, Symmetry symmetry) {
     if (symmetry == Symmetry::axial && !c)
         return fail(Failure::unsupported, "a web of type A or B cannot be made axial",
                     "resample it to type C first (gonio edit --resample 5deg,2.5deg)");
-    const bool across_c0 = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_0_180;
-    const bool across_c90 = symmetry == Symmetry::quadrant || symmetry == Symmetry::bilateral_90_270;
+    const bool across_c0 = mirrored_in_0_180(symmetry);
+    const bool across_c90 = mirrored_in_90_270(symmetry);
     if (!c) {
         const Web full = expanded(web);
         std::vector<double> h(full.horizontal_deg().begin(), full.horizontal_deg().end());

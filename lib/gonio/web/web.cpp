@@ -65,13 +65,6 @@ double onto_the_end(double angle_deg, const std::vector<double>& angles_deg) {
     return angle_deg;
 }
 
-bool mirrored_in_90_270(Symmetry stored) {
-    return stored == Symmetry::quadrant || stored == Symmetry::bilateral_90_270;
-}
-bool mirrored_in_0_180(Symmetry stored) {
-    return stored == Symmetry::quadrant || stored == Symmetry::bilateral_0_180;
-}
-
 } // namespace
 
 const char* to_text(Symmetry symmetry) {

@@ -35,6 +35,14 @@ enum class Symmetry {
 
 const char* to_text(Symmetry symmetry); // "bilateral-0-180": as in reports
 
+// Whether one side of a mirror is stored: across the C0–C180 plane, or across C90–C270.
+constexpr bool mirrored_in_0_180(Symmetry stored) {
+    return stored == Symmetry::quadrant || stored == Symmetry::bilateral_0_180;
+}
+constexpr bool mirrored_in_90_270(Symmetry stored) {
+    return stored == Symmetry::quadrant || stored == Symmetry::bilateral_90_270;
+}
+
 // How many images of the stored grid cover all directions: 4, 2 or 1.
 double image_count(Symmetry stored);
 
