@@ -122,14 +122,17 @@ void copy(const glm::dvec3& from, float (&to)[3]) {
 WebTable::Axis::Axis(std::span<const double> angles) : angles_deg(angles.begin(), angles.end()) {
     if (angles.size() < 2) return;
     double narrowest = angles[1] - angles[0];
+    double widest = narrowest;
     for (std::size_t i = 1; i < angles.size(); ++i) {
         narrowest = std::min(narrowest, angles[i] - angles[i - 1]);
+        widest = std::max(widest, angles[i] - angles[i - 1]);
         inverse_width.push_back(static_cast<float>(1.0 / (angles[i] - angles[i - 1])));
     }
     const double whole = angles.back() - angles.front();
     const auto steps =
         static_cast<std::size_t>(std::clamp(std::round(whole / narrowest), 1.0, static_cast<double>(most_steps)));
     steps_per_deg = static_cast<float>(static_cast<double>(steps) / whole);
+    is_uniform = widest - narrowest < 1e-7 * widest && steps + 1 == angles.size();
     std::size_t cell = 0;
     for (std::size_t step = 0; step < steps; ++step) {
         // Slightly before the step begins: rounding may put an angle into the step after its correct one.
@@ -141,8 +144,8 @@ WebTable::Axis::Axis(std::span<const double> angles) : angles_deg(angles.begin()
 }
 
 transport::TableAxis WebTable::Axis::constants() const {
-    return {angles_deg.data(), inverse_width.data(), first_cell.data(),
-            angles_deg.size(), first_cell.size(),    steps_per_deg};
+    return {angles_deg.data(), inverse_width.data(), first_cell.data(), angles_deg.size(),
+            first_cell.size(), steps_per_deg,        is_uniform};
 }
 
 WebTable::WebTable(const Web& web)

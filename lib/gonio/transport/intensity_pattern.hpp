@@ -27,6 +27,7 @@ private:
         std::vector<float> inverse_width;
         std::vector<std::uint32_t> first_cell;
         float steps_per_deg = 0.0F;
+        bool is_uniform = false;
 
         explicit Axis(std::span<const double> angles);
         transport::TableAxis constants() const;

@@ -51,6 +51,7 @@ struct TableAxis {
     std::size_t count = 0;
     std::size_t steps = 0;
     float steps_per_deg = 0.0F;
+    bool is_uniform = false; // all cells are as wide: the steps are the cells
 };
 
 struct WebConstants {

@@ -122,71 +122,110 @@ GONIO_FORCE_INLINE TableAngles<S> table_angles(vec3<S> d, const WebConstants& we
     }
 }
 
-struct Cell {
-    std::size_t index;
-    float weight; // of its upper end
+// Cells of an axis that angles lie in, and the weights of their upper ends.
+template<class S>
+struct Cells {
+    static constexpr std::size_t lanes = simd::Traits<S>::lanes;
+
+    std::size_t index[lanes];
+    S weight;
 };
 
-// Angles that are beyond the ends by rounding count as the ends; false for angles further out.
-template<class S> // determines the instruction set
-GONIO_FORCE_INLINE bool locate(const TableAxis& axis, float angle_deg, Cell& cell) {
-    constexpr float room = 6e-5F; // [deg]
-    const float first = axis.angles_deg[0];
-    const float last = axis.angles_deg[axis.count - 1];
-    if (!(angle_deg >= first - room && angle_deg <= last + room)) return false;
-    cell.index = 0;
-    cell.weight = 0.0F;
-    if (axis.count == 1) return true;
-    const float steps = simd::max((angle_deg - first) * axis.steps_per_deg, 0.0F);
-    auto step = static_cast<std::size_t>(steps);
-    if (step >= axis.steps) step = axis.steps - 1;
-    std::size_t index = axis.first_cell[step];
-    while (index + 2 < axis.count && angle_deg >= axis.angles_deg[index + 1])
-        ++index;
-    cell.index = index;
-    const float along = (angle_deg - axis.angles_deg[index]) * axis.inverse_width[index];
-    cell.weight = simd::min(simd::max(along, 0.0F), 1.0F);
-    return true;
-}
-
+// Angles beyond the ends get the nearest place.
 template<class S>
-GONIO_FORCE_INLINE float along_vertical(const WebConstants& web, std::size_t column, const Cell& row) {
-    const float* const values = web.candela + column * web.vertical.count + row.index;
-    return web.vertical.count == 1 ? values[0] : values[0] + row.weight * (values[1] - values[0]);
+GONIO_FORCE_INLINE Cells<S> cells_of(const TableAxis& axis, S angle_deg) {
+    constexpr std::size_t lanes = Cells<S>::lanes;
+    Cells<S> cells;
+    if (axis.count == 1) {
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            cells.index[lane] = 0;
+        cells.weight = S(0);
+        return cells;
+    }
+    const S steps = (angle_deg - S(axis.angles_deg[0])) * S(axis.steps_per_deg);
+    float step[lanes];
+    float low[lanes];
+    simd::store(simd::min(simd::max(steps, S(0)), S(static_cast<float>(axis.steps - 1))), &step[0]);
+    S from;
+    S per_deg(axis.steps_per_deg);
+    if (axis.is_uniform) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            cells.index[lane] = static_cast<std::size_t>(static_cast<int>(step[lane]));
+            low[lane] = axis.angles_deg[cells.index[lane]];
+        }
+    } else {
+        float angles[lanes];
+        float inverse[lanes];
+        simd::store(angle_deg, &angles[0]);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            std::size_t index = axis.first_cell[static_cast<std::size_t>(static_cast<int>(step[lane]))];
+            while (index + 2 < axis.count && angles[lane] >= axis.angles_deg[index + 1])
+                ++index;
+            cells.index[lane] = index;
+            low[lane] = axis.angles_deg[index];
+            inverse[lane] = axis.inverse_width[index];
+        }
+        simd::load(&inverse[0], per_deg);
+    }
+    simd::load(&low[0], from);
+    cells.weight = simd::min(simd::max((angle_deg - from) * per_deg, S(0)), S(1));
+    return cells;
 }
 
+// Angles that are beyond the ends by rounding count as the ends.
+template<class S>
+GONIO_FORCE_INLINE simd::mask_of<S> is_within(const TableAxis& axis, S angle_deg) {
+    constexpr float room = 6e-5F; // [deg]
+    return simd::both(angle_deg >= S(axis.angles_deg[0] - room),
+                      angle_deg <= S(axis.angles_deg[axis.count - 1] + room));
+}
+
+// Angles, places and sums by packets, the numbers of the table lane by lane.
 template<class S, WebConstants::Angles kind>
-GONIO_FORCE_INLINE float look_up(const WebConstants& web, float horizontal_deg, float vertical_deg) {
-    Cell row;
-    if (!locate<S>(web.vertical, vertical_deg, row)) return 0.0F;
+GONIO_FORCE_INLINE S look_up(const WebConstants& web, const TableAngles<S>& angles) {
+    constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    const auto between = [](const float* low, const float* high, S weight) __attribute__((always_inline)) {
+        S from;
+        S to;
+        simd::load(low, from);
+        simd::load(high, to);
+        return from + weight * (to - from);
+    };
+    const Cells<S> rows = cells_of(web.vertical, angles.vertical_deg);
+    const std::size_t next_row = web.vertical.count == 1 ? 0 : 1;
+    float low[2][lanes];  // of the first plane, at both ends of the row's cell
+    float high[2][lanes]; // of the second
+    const auto inside = is_within(web.vertical, angles.vertical_deg);
     if constexpr (kind == WebConstants::Angles::axial) {
-        return along_vertical<S>(web, 0, row);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const float* const at = web.candela + rows.index[lane];
+            low[0][lane] = at[0];
+            low[1][lane] = at[next_row];
+        }
+        return simd::select(inside, between(&low[0][0], &low[1][0], rows.weight), S(0));
     } else {
-        Cell column;
-        if (!locate<S>(web.horizontal, horizontal_deg, column)) return 0.0F;
-        const float low = along_vertical<S>(web, column.index, row);
-        if (column.weight == 0.0F) return low;
-        return low + column.weight * (along_vertical<S>(web, column.index + 1, row) - low);
+        const Cells<S> planes = cells_of(web.horizontal, angles.horizontal_deg);
+        const std::size_t next_plane = web.horizontal.count == 1 ? 0 : web.vertical.count;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const float* const at = web.candela + planes.index[lane] * web.vertical.count + rows.index[lane];
+            low[0][lane] = at[0];
+            low[1][lane] = at[next_row];
+            high[0][lane] = at[next_plane];
+            high[1][lane] = at[next_plane + next_row];
+        }
+        const S first = between(&low[0][0], &low[1][0], rows.weight);
+        const S second = between(&high[0][0], &high[1][0], rows.weight);
+        return simd::select(simd::both(inside, is_within(web.horizontal, angles.horizontal_deg)),
+                            first + planes.weight * (second - first), S(0));
     }
 }
 
-// Angles by packets, cells and candela lane by lane: a table cell is too little work to justify gathers.
 template<class S, WebConstants::Angles kind>
 void multiply_web(const Points& points, const LightFrame& frame, const WebConstants& web, float* cd) {
-    constexpr std::size_t lanes = simd::Traits<S>::lanes;
     const LocalDirections<S> directions(frame);
     const S first(web.horizontal.angles_deg[0]);
     simd::for_each_packet<simd::Packet<S>>(points.count, [&](const simd::Packet<S>& packet) {
-        const TableAngles<S> angles = table_angles<S, kind>(directions(packet, points), web, first);
-        float horizontal[lanes];
-        float vertical[lanes];
-        float found[lanes];
-        simd::store(angles.horizontal_deg, &horizontal[0]);
-        simd::store(angles.vertical_deg, &vertical[0]);
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            found[lane] = look_up<S, kind>(web, horizontal[lane], vertical[lane]);
-        S value;
-        simd::load(&found[0], value);
+        const S value = look_up<S, kind>(web, table_angles<S, kind>(directions(packet, points), web, first));
         // Files may contain negative candela, which no light emits.
         packet.store(packet.load(cd) * simd::max(value * S(web.scale), S(0)), cd);
     });
