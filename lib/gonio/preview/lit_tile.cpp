@@ -494,9 +494,9 @@ void LitTile::shade_far() {
     }
 }
 
-// One form for the whole chunk is enough where its bound is small; a chunk of a floor far away is tens of metres deep.
+// One form for the whole chunk is enough where its bound is below the error; a chunk of a floor far away is tens of
+// metres deep.
 void LitTile::find_forms(Far& far) {
-    constexpr double small_share = 0.25; // of the error
     Known& known = known_[far.surface];
     if (!known.lobe) return;
     const LitLight& light = scene_.lights[far.light];
@@ -517,7 +517,7 @@ void LitTile::find_forms(Far& far) {
     forms.of_parts[0] = point_form(light, parts[0].points, parts[0].views, *known.lobe);
     forms.of_each = chunk.count;
     std::size_t count = 1;
-    if (parts.size() > 1 && !(forms.of_parts[0].share < small_share * options_.error)) {
+    if (parts.size() > 1 && !(forms.of_parts[0].share < options_.error)) {
         forms.of_each = of_part;
         count = parts.size() - 1;
         for (std::size_t i = 0; i < count; ++i)
