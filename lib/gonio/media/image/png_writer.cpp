@@ -200,7 +200,7 @@ std::vector<unsigned char> png_bytes(const EncodeRequest& request) {
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     set_attributes(writer, request);
     png_write_info(writer.png, writer.info);
-    constexpr int level = 4; // 6 makes previews 6 % smaller and takes twice as long
+    constexpr int level = 4; // 6 makes previews 5 to 8 % smaller and takes twice as long
     write_pixels(writer, zlib_stream(filtered_rows(request, wide), level));
     return bytes;
 }
