@@ -161,8 +161,9 @@ struct GatheredPoints {
     }
 };
 
-// work(l, dω) for each point as a unit direction and the solid angle that it stands for.
 inline constexpr double least_distance = 1e-9; // the cube of its square is still a float
+
+// work(l, dω) for each point as a unit direction and the solid angle that it stands for.
 template<class S, class Points, class Work>
 GONIO_FORCE_INLINE void for_each_direction(const Points& points, const Work& work) {
     points.for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
