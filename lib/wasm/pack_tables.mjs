@@ -128,7 +128,7 @@ const packed = readFileSync(from, 'utf8').replace(
     const stride = entry ? Math.sqrt(rows) : rows; // those of lobes are square
     for (let c = 0; c < columns; ++c) writer.column(numbers.filter((_, i) => i % columns === c).map(decimal), stride);
     ++count;
-    return `const ${type} ${name} = packed.table<${element ?? (entry ? 'float' : 'double')}, ${type}>(${stride});`;
+    return `const ${type} ${name} = packed.table<${element ?? (entry ? 'float' : 'double')}, ${columns}, ${type}>(${stride});`;
   });
 if (count === 0) throw new Error(`${from}: no tables`);
 const bytes = writer.finish().join(', ').match(/.{1,118}(?:,|$)/g).join('\n    ');

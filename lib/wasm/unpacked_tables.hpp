@@ -12,13 +12,15 @@ class PackedTables {
 public:
     explicit PackedTables(const unsigned char* bytes);
 
-    // The next table, of rows that are structures or arrays of `Number`. `stride`: how many rows are a row of its grid.
-    template<class Number, class Table>
+    // The next table, of rows that are structures or arrays which begin with so many `Number`s. `stride`: how many rows
+    // are a row of its grid.
+    template<class Number, std::size_t columns, class Table>
     Table table(std::size_t stride) {
         Table table;
         constexpr std::size_t width = sizeof(table[0]) / sizeof(Number);
+        static_assert(columns <= width);
         auto* const numbers = reinterpret_cast<Number*>(table.data());
-        for (std::size_t column = 0; column < width; ++column) {
+        for (std::size_t column = 0; column < columns; ++column) {
             read_column(table.size(), stride);
             for (std::size_t row = 0; row < table.size(); ++row)
                 numbers[row * width + column] = static_cast<Number>(values_[row]);
