@@ -494,12 +494,10 @@ void share_past_balls(const LinedLight& light, const ReceiversBehindBalls& of, d
     const vec3<D> center = spread<D>(light.center);
     const ShadowReceivers& receivers = of.receivers;
     simd::for_each_packet<simd::Packet<D>>(receivers.count, [&](const simd::Packet<D>& packet) {
-        const auto load = [&](const double* const(&from)[3]) {
-            return vec3<D>{packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
-        };
-        const vec3<D> point = load(receivers.position);
-        packet.store(gonio::detail::share_past_ball<D>(center - point, D(light.radius), load(of.middle) - point,
-                                                       packet.load(of.radius), load(receivers.normal)),
+        const vec3<D> point = load_vector(packet, receivers.position);
+        const vec3<D> to_ball = load_vector(packet, of.middle) - point;
+        packet.store(gonio::detail::share_past_ball<D>(center - point, D(light.radius), to_ball, packet.load(of.radius),
+                                                       load_vector(packet, receivers.normal)),
                      share);
     });
 }
