@@ -20,9 +20,11 @@ struct Tokens {
     static constexpr unsigned blocks = 16;                            // of 64 bytes, at most
     static constexpr std::size_t most = std::size_t{blocks} * 64 / 2; // a token and what ends it are two bytes
     static constexpr std::size_t overrun = 64;                        // entries that may be written behind the last
-    std::uint32_t begins[most + overrun];
-    std::uint32_t ends[most + overrun];
+    std::uint32_t bounds[2 * most + overrun];                         // where each begins and ends, in turn
     std::size_t ended; // one may have begun after them, which goes on behind the piece
+
+    std::uint32_t begin(std::size_t k) const { return bounds[2 * k]; }
+    std::uint32_t end(std::size_t k) const { return bounds[2 * k + 1]; }
 };
 
 // Lists the tokens of the text from `text` on that are surely whole, `wanted` of them or more. Returns whether more may
@@ -32,16 +34,14 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
     std::uint64_t before = 0;    // whether the byte before is numeric
     std::uint64_t cr_before = 0; // whether it is CR
     std::uint64_t wrong = 0;
-    std::uint32_t* begins_to = tokens.begins;
-    std::uint32_t* ends_to = tokens.ends;
+    std::uint32_t* to = tokens.bounds;
+    const auto ended = [&] { return static_cast<std::size_t>(to - tokens.bounds) / 2; };
     std::uint32_t offset = 0;
-    for (; offset < blocks * 64 && static_cast<std::size_t>(ends_to - tokens.ends) < wanted; offset += 64) {
+    for (; offset < blocks * 64 && ended() < wanted; offset += 64) {
         if (end - text < static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead) break;
         const ByteMasks<S> masks = TokenWords<S>::template classify<separators>(text + offset);
         const std::uint64_t numeric = masks.numeric;
         const std::uint64_t after_numeric = numeric << 1U | before;
-        const std::uint64_t begins = numeric & ~after_numeric;
-        const std::uint64_t ends = ~numeric & after_numeric;
         if constexpr (separators == Separators::lines) {
             const std::uint64_t after_cr = masks.cr << 1U | cr_before;
             wrong = ~(numeric | masks.cr | masks.lf) | (masks.cr & ~after_numeric) |
@@ -52,11 +52,10 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
         }
         before = numeric >> 63U;
         const std::uint64_t right = (wrong & (0 - wrong)) - 1; // the bytes before the first wrong one
-        begins_to = TokenWords<S>::list(begins & right, offset, begins_to);
-        ends_to = TokenWords<S>::list(ends & right, offset, ends_to);
+        to = TokenWords<S>::list((numeric ^ after_numeric) & right, offset, to);
         if (wrong != 0) break;
     }
-    tokens.ended = static_cast<std::size_t>(ends_to - tokens.ends);
+    tokens.ended = ended();
     return wrong == 0 && end - text >= static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead;
 }
 
@@ -67,23 +66,22 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
                          std::size_t count, const NumberRun& run, double* numbers) {
     using Words = TokenWords<S>;
     const auto slowly = [&](std::size_t k) {
-        return run.convert(text + tokens.begins[k], text + tokens.ends[k], numbers[k]);
+        return run.convert(text + tokens.begin(k), text + tokens.end(k), numbers[k]);
     };
     if constexpr (Words::converts_wide) {
         constexpr std::size_t lanes = Words::lanes;
         std::uint16_t group[lanes]; // tokens to convert together
-        std::uint32_t begins[lanes];
-        std::uint32_t ends[lanes];
+        std::uint32_t bounds[2 * lanes];
         std::size_t grouped = 0;
         std::size_t converted = count; // before the first that is not
         const auto close_group = [&] {
             if (grouped == 0) return;
             for (std::size_t k = grouped; k < lanes; ++k) {
-                begins[k] = begins[0];
-                ends[k] = ends[0];
+                bounds[2 * k] = bounds[0];
+                bounds[2 * k + 1] = bounds[1];
             }
             double some[lanes];
-            const unsigned bad = Words::convert_wide(text, begins, ends, some);
+            const unsigned bad = Words::convert_wide(text, bounds, some);
             for (std::size_t k = 0; k < grouped; ++k) {
                 if ((bad >> k & 1U) == 0)
                     numbers[group[k]] = some[k];
@@ -94,15 +92,15 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
         };
         for (std::size_t i = 0; i < left_count && converted == count; ++i) {
             const std::uint16_t token = left[i];
-            const std::uint32_t length = tokens.ends[token] - tokens.begins[token];
+            const std::uint32_t length = tokens.end(token) - tokens.begin(token);
             // Shorter ones were refused for another reason; eight bytes lie before the text.
-            if (length <= 8 || length > 16 || tokens.ends[token] < 8) {
+            if (length <= 8 || length > 16 || tokens.end(token) < 8) {
                 if (!slowly(token)) converted = token;
                 continue;
             }
             group[grouped] = token;
-            begins[grouped] = tokens.begins[token];
-            ends[grouped] = tokens.ends[token];
+            bounds[2 * grouped] = tokens.begin(token);
+            bounds[2 * grouped + 1] = tokens.end(token);
             if (++grouped == lanes) close_group();
         }
         close_group();
@@ -112,6 +110,27 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
             if (!slowly(left[i])) return left[i];
     }
     return count;
+}
+
+// Whether half of the lanes or more are set.
+template<class S>
+bool is_half(unsigned bits) {
+    return 2 * static_cast<std::size_t>(__builtin_popcount(bits)) >= TokenWords<S>::lanes;
+}
+
+// Converts tokens from token `from` on as long as half of them need two words; fewer are gathered by convert_left().
+// Returns how many: whole packs. `leave` takes those that are left. Inlined it would take registers from its caller.
+template<class S, class Leave>
+[[gnu::noinline]] std::size_t convert_wide(const char* text, const Tokens<S>& tokens, std::size_t from,
+                                           std::size_t count, double* numbers, const Leave& leave) {
+    using Words = TokenWords<S>;
+    std::size_t i = from;
+    for (; i + Words::lanes <= count; i += Words::lanes) {
+        const std::uint32_t* const bounds = tokens.bounds + 2 * i;
+        if (tokens.end(i) < 8 || !is_half<S>(Words::wide(bounds))) break; // eight bytes lie before the text
+        leave(Words::convert_wide(text, bounds, numbers + i), i);
+    }
+    return i - from;
 }
 
 // Converts the first `count` tokens; returns how many could be.
@@ -127,15 +146,19 @@ std::size_t convert_tokens(const char* text, Tokens<S>& tokens, std::size_t coun
             left[left_count++] = static_cast<std::uint16_t>(i + static_cast<unsigned>(__builtin_ctz(bad)));
     };
     std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes)
-        leave(Words::convert(text, tokens.begins + i, tokens.ends + i, numbers + i), i);
+    for (; i + lanes <= count; i += lanes) {
+        const unsigned bad = Words::convert(text, tokens.bounds + 2 * i, numbers + i);
+        leave(bad, i);
+        if constexpr (Words::converts_wide)
+            if (is_half<S>(bad)) i += convert_wide<S>(text, tokens, i + lanes, count, numbers, leave);
+    }
     if (i < count) {
         for (std::size_t k = count; k < i + lanes; ++k) {
-            tokens.begins[k] = tokens.begins[count - 1];
-            tokens.ends[k] = tokens.ends[count - 1];
+            tokens.bounds[2 * k] = tokens.begin(count - 1);
+            tokens.bounds[2 * k + 1] = tokens.end(count - 1);
         }
         double some[lanes] = {};
-        const unsigned bad = Words::convert(text, tokens.begins + i, tokens.ends + i, some);
+        const unsigned bad = Words::convert(text, tokens.bounds + 2 * i, some);
         for (std::size_t k = i; k < count; ++k)
             numbers[k] = some[k - i];
         leave(bad & ((1U << (count - i)) - 1), i);
@@ -158,8 +181,8 @@ void read_run(NumberRun& run) {
         if (count == 0) return;
         TokenWords<S>::widen(numbers, count, run.lowest, run.highest);
         run.taken += count;
-        run.last = text + tokens.begins[count - 1];
-        run.at = text + tokens.ends[count - 1];
+        run.last = text + tokens.begin(count - 1);
+        run.at = text + tokens.end(count - 1);
         if constexpr (separators == Separators::lines) run.at += run.at[0] == '\r' && run.at[1] == '\n' ? 2 : 1;
         more = more && count == found;
     }

@@ -87,16 +87,19 @@ struct TokenWords {
         return to;
     }
 
-    // Bit i of the result: token i is not a number of at most eight characters, and number i means nothing.
-    static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
+    // `bounds`: where each token begins and ends. Bit i of the result: token i is not a number of at most eight
+    // characters, and number i means nothing.
+    static unsigned convert(const char* text, const std::uint32_t* bounds, double* numbers) {
         if constexpr (__BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__) return 1;
         constexpr double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
-        const bool negative = text[*begins] == '-';
-        const std::uint32_t length = *ends - *begins - (negative ? 1 : 0);
+        const std::uint32_t begin = bounds[0];
+        const std::uint32_t end = bounds[1];
+        const bool negative = text[begin] == '-';
+        const std::uint32_t length = end - begin - (negative ? 1 : 0);
         if (length == 0 || length > 8) return 1;
         // The word that ends with the token; bytes before its first digit or point are cleared.
         std::uint64_t token = 0;
-        std::memcpy(&token, text + *ends - 8, sizeof token);
+        std::memcpy(&token, text + end - 8, sizeof token);
         token = (token ^ bytes_of('0')) & ~std::uint64_t{0} << (64U - 8U * length);
         // Digits are 0 to 9 now, '.' is 0x1E, '-' 0x1D and '/' 0x1F: the bit 0x10 distinguishes them from digits, the
         // bit 1 the point from the other two. One point is allowed, and none of the others.
@@ -117,7 +120,7 @@ struct TokenWords {
         return 0;
     }
 
-    // As convert(), for tokens of 9 to 16 characters; at least 16 bytes of text lie before their ends. Not here: the
+    // As convert(), for tokens of at most 16 characters; at least 16 bytes of text lie before their ends. Not here: the
     // method for one number is as fast.
     static constexpr bool converts_wide = false;
 

@@ -20,9 +20,11 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         std::memcpy(&bytes, end - 8, sizeof bytes);
         return bytes;
     }
-    static __m128i offsets(const std::uint32_t* from) {
+    // Of tokens with these bounds.
+    static __m256i lengths(const std::uint32_t* bounds) {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
-        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+        const __m256i both = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(bounds)); // begins in the lower halves
+        return _mm256_srli_epi64(_mm256_sub_epi32(both, _mm256_slli_epi64(both, 32)), 32);
     }
 
     template<Separators separators>
@@ -62,12 +64,12 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         return behind;
     }
 
-    static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
-        const auto word = [&](int i) { return word_before(text + ends[i]); };
+    static unsigned convert(const char* text, const std::uint32_t* bounds, double* numbers) {
+        const auto word = [&](int i) { return word_before(text + bounds[2 * i + 1]); };
         const __m256i zero = _mm256_setzero_si256();
         const __m256i ones = _mm256_set1_epi8(1);
         const __m256i all = _mm256_set1_epi8(-1);
-        const __m256i length = _mm256_cvtepu32_epi64(_mm_sub_epi32(offsets(ends), offsets(begins)));
+        const __m256i length = lengths(bounds);
         // The words that end with the tokens; bytes before a token are cleared, and all of those of a long one.
         const __m256i keep =
             _mm256_sllv_epi64(all, _mm256_sub_epi64(_mm256_set1_epi64x(64), _mm256_slli_epi64(length, 3)));
@@ -107,38 +109,58 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
 
     static constexpr bool converts_wide = true;
 
-    static unsigned convert_wide(const char* text, const std::uint32_t* begins, const std::uint32_t* ends,
-                                 double* numbers) {
-        const auto word = [&](int i, int before) { return word_before(text + ends[i] - (before - 8)); };
+    // Bit i: token i has 9 to 16 characters.
+    static unsigned wide(const std::uint32_t* bounds) {
+        const __m256i length = lengths(bounds);
+        const __m256i wide = _mm256_andnot_si256(_mm256_cmpgt_epi64(length, _mm256_set1_epi64x(16)),
+                                                 _mm256_cmpgt_epi64(length, _mm256_set1_epi64x(8)));
+        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(wide)));
+    }
+
+    static unsigned convert_wide(const char* text, const std::uint32_t* bounds, double* numbers) {
+        const auto word = [&](int i, int before) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
         const __m256i zero = _mm256_setzero_si256();
         const __m256i ones = _mm256_set1_epi8(1);
         const __m256i all = _mm256_set1_epi8(-1);
         const __m256i zeros = _mm256_set1_epi8('0');
-        const __m256i length = _mm256_cvtepu32_epi64(_mm_sub_epi32(offsets(ends), offsets(begins)));
+        const __m256i length = lengths(bounds);
         // The two words that end with the tokens; bytes before a token are cleared.
-        const __m256i keep =
-            _mm256_sllv_epi64(all, _mm256_sub_epi64(_mm256_set1_epi64x(128), _mm256_slli_epi64(length, 3)));
+        const __m256i before_low = _mm256_sub_epi64(_mm256_set1_epi64x(64), _mm256_slli_epi64(length, 3)); // in bits
+        const __m256i is_long = _mm256_cmpgt_epi64(length, _mm256_set1_epi64x(8));
+        const __m256i keep_high = _mm256_sllv_epi64(all, _mm256_add_epi64(before_low, _mm256_set1_epi64x(64)));
+        const __m256i keep_low = _mm256_or_si256(_mm256_sllv_epi64(all, before_low), is_long);
         const __m256i high_words = _mm256_set_epi64x(word(3, 16), word(2, 16), word(1, 16), word(0, 16));
         const __m256i low_words = _mm256_set_epi64x(word(3, 8), word(2, 8), word(1, 8), word(0, 8));
-        const __m256i high = _mm256_and_si256(_mm256_xor_si256(high_words, zeros), keep);
-        const __m256i low = _mm256_xor_si256(low_words, zeros);
+        const __m256i high = _mm256_and_si256(_mm256_xor_si256(high_words, zeros), keep_high);
+        const __m256i low = _mm256_and_si256(_mm256_xor_si256(low_words, zeros), keep_low);
         const __m256i high_marks = _mm256_and_si256(_mm256_srli_epi64(high, 4), ones);
         const __m256i low_marks = _mm256_and_si256(_mm256_srli_epi64(low, 4), ones);
         const __m256i high_second = _mm256_srli_epi64(high, 1);
+        const __m256i low_second = _mm256_srli_epi64(low, 1);
         const __m256i high_point = _mm256_andnot_si256(high, high_marks);
         const __m256i low_point = _mm256_andnot_si256(low, low_marks);
-        const __m256i minus = _mm256_andnot_si256(high_second, high_marks);
-        const __m256i first = _mm256_andnot_si256(_mm256_slli_epi64(keep, 8), _mm256_and_si256(keep, ones));
+        const __m256i high_minus = _mm256_andnot_si256(high_second, high_marks);
+        const __m256i low_minus = _mm256_andnot_si256(low_second, low_marks);
+        const __m256i high_kept = _mm256_and_si256(keep_high, ones);
+        const __m256i low_kept = _mm256_and_si256(keep_low, ones);
+        // The first byte of the token, in the word that it is in.
+        const __m256i high_first = _mm256_andnot_si256(_mm256_slli_epi64(keep_high, 8), high_kept);
+        const __m256i low_first =
+            _mm256_andnot_si256(is_long, _mm256_andnot_si256(_mm256_slli_epi64(keep_low, 8), low_kept));
         const __m256i high_before = _mm256_add_epi64(high_point, all);
         const __m256i low_before = _mm256_add_epi64(low_point, all);
         const __m256i no_high_point = _mm256_cmpeq_epi64(high_point, zero);
         const __m256i no_low_point = _mm256_cmpeq_epi64(low_point, zero);
-        const __m256i slash = _mm256_and_si256(high_marks, _mm256_and_si256(high, high_second));
+        const __m256i slash = _mm256_or_si256(_mm256_and_si256(high_marks, _mm256_and_si256(high, high_second)),
+                                              _mm256_and_si256(low_marks, _mm256_and_si256(low, low_second)));
         const __m256i points =
             _mm256_or_si256(_mm256_and_si256(high_point, high_before), _mm256_and_si256(low_point, low_before));
-        const __m256i wrong = _mm256_or_si256(
-            _mm256_or_si256(slash, _mm256_andnot_si256(first, minus)),
-            _mm256_or_si256(points, _mm256_and_si256(low_marks, low))); // in the low word only a point is right
+        const __m256i wrong_minus =
+            _mm256_or_si256(_mm256_andnot_si256(high_first, high_minus), _mm256_andnot_si256(low_first, low_minus));
+        const __m256i wrong = _mm256_or_si256(_mm256_or_si256(slash, points), wrong_minus);
+        const __m256i no_digit =
+            _mm256_and_si256(_mm256_cmpeq_epi64(high_kept, high_marks), _mm256_cmpeq_epi64(low_kept, low_marks));
+        const __m256i minus = _mm256_or_si256(high_minus, low_minus);
         const __m256i one_point = _mm256_or_si256(no_high_point, no_low_point);
         const __m256i high_digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, high_marks), high);
         const __m256i low_digits = _mm256_andnot_si256(_mm256_sub_epi8(zero, low_marks), low);
@@ -166,7 +188,10 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
             _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
         _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
         const __m256i exact = _mm256_cmpeq_epi64(_mm256_srli_epi64(number, 52), zero);
-        const __m256i fine = _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact));
+        const __m256i too_long = _mm256_cmpgt_epi64(length, _mm256_set1_epi64x(16));
+        const __m256i fine =
+            _mm256_andnot_si256(_mm256_or_si256(no_digit, too_long),
+                                _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact)));
         return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
     }
 

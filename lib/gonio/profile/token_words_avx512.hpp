@@ -20,9 +20,10 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         std::memcpy(&bytes, end - 8, sizeof bytes);
         return bytes;
     }
-    static __m256i offsets(const std::uint32_t* from) {
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): an unaligned load takes any address
-        return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+    // Of tokens with these bounds.
+    static __m512i lengths(const std::uint32_t* bounds) {
+        const __m512i both = _mm512_loadu_si512(bounds); // the begin in the lower half of each lane
+        return _mm512_srli_epi64(_mm512_sub_epi32(both, _mm512_slli_epi64(both, 32)), 32);
     }
 
     template<Separators separators>
@@ -58,12 +59,12 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         return to;
     }
 
-    static unsigned convert(const char* text, const std::uint32_t* begins, const std::uint32_t* ends, double* numbers) {
-        const auto word = [&](int i) { return word_before(text + ends[i]); };
+    static unsigned convert(const char* text, const std::uint32_t* bounds, double* numbers) {
+        const auto word = [&](int i) { return word_before(text + bounds[2 * i + 1]); };
         const __m512i zero = _mm512_setzero_si512();
         const __m512i ones = _mm512_set1_epi8(1);
         const __m512i all = _mm512_set1_epi8(-1);
-        const __m512i length = _mm512_cvtepu32_epi64(_mm256_sub_epi32(offsets(ends), offsets(begins)));
+        const __m512i length = lengths(bounds);
         // The words that end with the tokens; bytes before a token are cleared, and all of those of a long one.
         const __m512i keep =
             _mm512_sllv_epi64(all, _mm512_sub_epi64(_mm512_set1_epi64(64), _mm512_slli_epi64(length, 3)));
@@ -100,9 +101,14 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
 
     static constexpr bool converts_wide = true;
 
-    static unsigned convert_wide(const char* text, const std::uint32_t* begins, const std::uint32_t* ends,
-                                 double* numbers) {
-        const auto word = [&](int i, int before) { return word_before(text + ends[i] - (before - 8)); };
+    // Bit i: token i has 9 to 16 characters.
+    static unsigned wide(const std::uint32_t* bounds) {
+        const __m512i above = _mm512_sub_epi64(lengths(bounds), _mm512_set1_epi64(9));
+        return static_cast<unsigned>(_mm512_cmple_epu64_mask(above, _mm512_set1_epi64(7)));
+    }
+
+    static unsigned convert_wide(const char* text, const std::uint32_t* bounds, double* numbers) {
+        const auto word = [&](int i, int before) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
         const auto words = [&](int before) {
             return _mm512_set_epi64(word(7, before), word(6, before), word(5, before), word(4, before), word(3, before),
                                     word(2, before), word(1, before), word(0, before));
@@ -111,29 +117,41 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const __m512i ones = _mm512_set1_epi8(1);
         const __m512i all = _mm512_set1_epi8(-1);
         const __m512i zeros = _mm512_set1_epi8('0');
-        const __m512i length = _mm512_cvtepu32_epi64(_mm256_sub_epi32(offsets(ends), offsets(begins)));
+        const __m512i length = lengths(bounds);
         // The two words that end with the tokens; bytes before a token are cleared.
-        const __m512i keep =
-            _mm512_sllv_epi64(all, _mm512_sub_epi64(_mm512_set1_epi64(128), _mm512_slli_epi64(length, 3)));
-        const __m512i high = _mm512_and_si512(_mm512_xor_si512(words(16), zeros), keep);
-        const __m512i low = _mm512_xor_si512(words(8), zeros);
+        const __m512i before_low = _mm512_sub_epi64(_mm512_set1_epi64(64), _mm512_slli_epi64(length, 3)); // in bits
+        const __m512i keep_high = _mm512_sllv_epi64(all, _mm512_add_epi64(before_low, _mm512_set1_epi64(64)));
+        const __m512i keep_low = _mm512_sllv_epi64(all, _mm512_max_epi64(before_low, zero));
+        const __m512i high = _mm512_and_si512(_mm512_xor_si512(words(16), zeros), keep_high);
+        const __m512i low = _mm512_and_si512(_mm512_xor_si512(words(8), zeros), keep_low);
         const __m512i high_marks = _mm512_and_si512(_mm512_srli_epi64(high, 4), ones);
         const __m512i low_marks = _mm512_and_si512(_mm512_srli_epi64(low, 4), ones);
         const __m512i high_second = _mm512_srli_epi64(high, 1);
+        const __m512i low_second = _mm512_srli_epi64(low, 1);
         const __m512i high_point = _mm512_andnot_si512(high, high_marks);
         const __m512i low_point = _mm512_andnot_si512(low, low_marks);
-        const __m512i minus = _mm512_andnot_si512(high_second, high_marks);
-        const __m512i first = _mm512_andnot_si512(_mm512_slli_epi64(keep, 8), _mm512_and_si512(keep, ones));
+        const __m512i high_minus = _mm512_andnot_si512(high_second, high_marks);
+        const __m512i low_minus = _mm512_andnot_si512(low_second, low_marks);
+        const __m512i high_kept = _mm512_and_si512(keep_high, ones);
+        const __m512i low_kept = _mm512_and_si512(keep_low, ones);
+        // The first byte of the token, in the word that it is in.
+        const __m512i high_first = _mm512_andnot_si512(_mm512_slli_epi64(keep_high, 8), high_kept);
+        const __m512i low_first = _mm512_maskz_andnot_epi64(_mm512_cmple_epi64_mask(length, _mm512_set1_epi64(8)),
+                                                            _mm512_slli_epi64(keep_low, 8), low_kept);
         const __m512i high_before = _mm512_add_epi64(high_point, all);
         const __m512i low_before = _mm512_add_epi64(low_point, all);
         const __mmask8 of_high = _mm512_test_epi64_mask(high_point, high_point);
         const __mmask8 of_low = _mm512_test_epi64_mask(low_point, low_point);
-        const __m512i slash = _mm512_and_si512(high_marks, _mm512_and_si512(high, high_second));
+        const __m512i slash = _mm512_or_si512(_mm512_and_si512(high_marks, _mm512_and_si512(high, high_second)),
+                                              _mm512_and_si512(low_marks, _mm512_and_si512(low, low_second)));
         const __m512i points =
             _mm512_or_si512(_mm512_and_si512(high_point, high_before), _mm512_and_si512(low_point, low_before));
-        const __m512i wrong = _mm512_or_si512(
-            _mm512_or_si512(slash, _mm512_andnot_si512(first, minus)),
-            _mm512_or_si512(points, _mm512_and_si512(low_marks, low))); // in the low word only a point is right
+        const __m512i wrong_minus =
+            _mm512_or_si512(_mm512_andnot_si512(high_first, high_minus), _mm512_andnot_si512(low_first, low_minus));
+        const __m512i wrong = _mm512_or_si512(_mm512_or_si512(slash, points), wrong_minus);
+        const unsigned no_digit = static_cast<unsigned>(_mm512_cmpeq_epi64_mask(high_kept, high_marks)) &
+                                  static_cast<unsigned>(_mm512_cmpeq_epi64_mask(low_kept, low_marks));
+        const __m512i minus = _mm512_or_si512(high_minus, low_minus);
         const __m512i high_digits = _mm512_andnot_si512(_mm512_sub_epi8(zero, high_marks), high);
         const __m512i low_digits = _mm512_andnot_si512(_mm512_sub_epi8(zero, low_marks), low);
         // The digits before the point move up by one byte, over the point.
@@ -158,7 +176,8 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
         const __m512i large = _mm512_srli_epi64(number, 52); // not exact
         return static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
-               static_cast<unsigned>(_mm512_test_epi64_mask(large, large)) | static_cast<unsigned>(of_high & of_low);
+               static_cast<unsigned>(_mm512_test_epi64_mask(large, large)) | static_cast<unsigned>(of_high & of_low) |
+               static_cast<unsigned>(_mm512_cmpgt_epi64_mask(length, _mm512_set1_epi64(16))) | no_digit;
     }
 
     // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.

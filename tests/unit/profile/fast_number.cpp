@@ -230,31 +230,41 @@ TEST(TokenKernels, GiveTheNearestDoubleForEveryShape) {
                     shapes.push_back((negative ? "-" : "") + text);
                 }
     for (const char* const odd : {"-", ".", "-.", "1-2", "1/2", "--1", "1.2.3", "123456.78.9", "12345678-9",
-                                  "1234567/9", "-12345678-", ".123456789.", "9007199254740993", "4503599627370497"})
+                                  "1234567/9", "-12345678-", ".123456789.", "9007199254740993", "4503599627370497",
+                                  "1234.5678901.2345678", "12345678.1234567.1", "-1234567890.1-", "1234-5678901"})
         shapes.emplace_back(odd);
-    for (const std::string& shape : shapes) {
-        std::string text = "IESNA91\n";
-        for (int i = 0; i < 5; ++i)
-            text += "17.5 ";
-        text += shape + std::string(200, ' ');
-        double expected = 0.0;
-        bool plain = true;
-        const bool number = scan_number(shape, expected, plain) == Token::number;
-        for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
-            std::vector<double> numbers(6);
-            const NumberRun run = taken_by(set, text, Separators::any, numbers);
-            ASSERT_TRUE(run.taken == 6 ? number : run.taken == 5) << shape;
-            // Up to 19 digits are not left to others.
-            if (number && shape.size() <= 19) {
-                ASSERT_EQ(run.taken, 6U) << shape;
+    // After few short numbers, and after many that need two words and so are taken in packs of such.
+    for (const auto& [before, word] : {std::pair<std::size_t, std::string>{5, "17.5 "}, {20, "17.500000000 "}})
+        for (const std::string& shape : shapes) {
+            std::string text = "IESNA91\n";
+            for (std::size_t i = 0; i < before; ++i)
+                text += word;
+            text += shape + " ";
+            for (std::size_t i = 0; i < 12; ++i)
+                text += word;
+            text += std::string(200, ' ');
+            double expected = 0.0;
+            bool plain = true;
+            const bool number = scan_number(shape, expected, plain) == Token::number;
+            const std::size_t all = before + 13;
+            for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
+                std::vector<double> numbers(all);
+                const NumberRun run = taken_by(set, text, Separators::any, numbers);
+                ASSERT_TRUE(run.taken == all ? number : run.taken == before) << shape;
+                // Up to 19 digits are not left to others.
+                if (number && shape.size() <= 19) {
+                    ASSERT_EQ(run.taken, all) << shape;
+                }
+                if (run.taken < all) continue;
+                EXPECT_EQ(__builtin_bit_cast(std::uint64_t, numbers[before]),
+                          __builtin_bit_cast(std::uint64_t, expected))
+                    << shape << " " << gonio::simd::to_text(set);
+                numbers[before] = 17.5;
+                EXPECT_EQ(numbers, std::vector<double>(all, 17.5)) << shape;
+                EXPECT_EQ(run.lowest, std::min(0.0, expected)) << shape;
+                EXPECT_EQ(run.highest, std::max(17.5, expected)) << shape;
             }
-            if (run.taken < 6) continue;
-            EXPECT_EQ(__builtin_bit_cast(std::uint64_t, numbers[5]), __builtin_bit_cast(std::uint64_t, expected))
-                << shape << " " << gonio::simd::to_text(set);
-            EXPECT_EQ(run.lowest, std::min(0.0, expected)) << shape;
-            EXPECT_EQ(run.highest, std::max(17.5, expected)) << shape;
         }
-    }
 }
 
 TEST(TokenKernels, TakeLinesOfOneNumberEachAndNoOthers) {
