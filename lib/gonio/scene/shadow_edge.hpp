@@ -214,4 +214,73 @@ private:
     simd::mask_of<S> is_somewhere_;
 };
 
+// Planes through the receiver with all ways from a long or a rectangular light on one side of each: what is wholly on
+// the other side blocks nothing. WaysFromSphere says far less of such lights.
+template<class S>
+class SidesOfWays {
+public:
+    // Whether they say something of the body.
+    GONIO_FORCE_INLINE static bool may_be_beside(const LinedLight& light, const ShadowBody& body) {
+        return body.kind != ShadowBody::Kind::plane &&
+               (light.kind == LinedLight::Kind::tube || light.kind == LinedLight::Kind::cylinder ||
+                light.kind == LinedLight::Kind::rectangle);
+    }
+
+    GONIO_FORCE_INLINE SidesOfWays(const LinedLight& light, const vec3<S>& receiver) : receiver_(receiver) {
+        const vec3<S> center = spread<S>(light.center) - receiver;
+        const vec3<S> x = spread<S>(light.x) * spread<S>(light.half_size[0]);
+        if (light.kind == LinedLight::Kind::rectangle) {
+            const vec3<S> y = spread<S>(light.y) * spread<S>(light.half_size[1]);
+            const vec3<S> corners[4] = {center - x - y, center + x - y, center + x + y, center - x + y};
+            for (int i = 0; i < 4; ++i) {
+                const vec3<S>& a = corners[i];
+                const vec3<S>& b = corners[(i + 1) % 4];
+                const vec3<S> normal = unfused::cross(a, b);
+                set(i, shading::select<S>(unfused::dot(normal, center) > S(0), normal * S(-1), normal), a, b);
+            }
+            return;
+        }
+        // The ways are as wide as the light around the triangle of its axis and the receiver.
+        const vec3<S> a = center - x;
+        const vec3<S> b = center + x;
+        width_ = spread<S>(light.radius);
+        set(0, unfused::cross(a, b), a, b);
+        const vec3<S>& normal = normals_[0];
+        normals_[1] = normal * S(-1);
+        set(2, unfused::cross(a, normal), a, normal); // its product with b is negative
+        set(3, unfused::cross(normal, b), normal, b); // as is that of this with a
+    }
+
+    GONIO_FORCE_INLINE simd::mask_of<S> may_meet(const ShadowBody& body) const {
+        if (body.kind == ShadowBody::Kind::plane) return S(0) <= S(0);
+        const vec3<S> middle = spread<S>(body.middle) - receiver_;
+        auto parted = S(1) < S(0);
+        for (const vec3<S>& normal : normals_) {
+            S extent = spread<S>(body.radius);
+            const auto add = [&](const double(&axis)[3], double half) {
+                extent = extent + simd::abs(unfused::dot(normal, spread<S>(axis))) * S(half);
+            };
+            if (body.kind != ShadowBody::Kind::ball) add(body.x, body.half_size[0]);
+            if (body.kind == ShadowBody::Kind::panel || body.kind == ShadowBody::Kind::box)
+                add(body.y, body.half_size[1]);
+            if (body.kind == ShadowBody::Kind::box) add(body.z, body.half_size[2]);
+            parted = simd::either(parted, unfused::dot(normal, middle) > (extent + width_) * S(1.0 + 1e-6));
+        }
+        return !parted;
+    }
+
+private:
+    // Of the product of a and b. Where these are nearly in line it is not known well, and 0 parts nothing.
+    GONIO_FORCE_INLINE void set(int i, const vec3<S>& normal, const vec3<S>& a, const vec3<S>& b) {
+        const S length2 = unfused::dot(normal, normal);
+        const auto is_known = length2 > S(1e-12) * unfused::dot(a, a) * unfused::dot(b, b);
+        const S per_length = S(1) / simd::sqrt(simd::select(is_known, length2, S(1)));
+        normals_[i] = normal * simd::select(is_known, per_length, S(0));
+    }
+
+    vec3<S> receiver_; // in the coordinates of the stage
+    vec3<S> normals_[4];
+    S width_ = S(0);
+};
+
 } // namespace gonio::detail

@@ -222,12 +222,34 @@ private:
     bool find_near() {
         bool is_any = false;
         for (std::size_t half = 0; half < half_count; ++half) {
-            const gonio::detail::WaysFromSphere<D> ways(halves_[half].point, light_.around, light_.around_radius);
+            const vec3<D>& point = halves_[half].point;
+            const gonio::detail::WaysFromSphere<D> ways(point, light_.around, light_.around_radius);
+            bool is_any_here = false;
+            bool is_any_beside = false;
             for (std::size_t i = 0; i < body_count_; ++i) {
-                const auto may_hide = may_hide_from(halves_[half].point, ways, bodies_[i]);
-                is_any = is_any || simd::any(may_hide);
+                const auto may_hide = may_hide_from(point, ways, bodies_[i]);
+                const bool is_any_body = simd::any(may_hide);
+                is_any_here = is_any_here || is_any_body;
+                is_any_beside =
+                    is_any_beside || (is_any_body && gonio::detail::SidesOfWays<D>::may_be_beside(light_, bodies_[i]));
                 put_half(simd::select(may_hide, D(1), D(0)), mark_of(i), half);
             }
+            if (is_any_beside) is_any_here = find_beside(half);
+            is_any = is_any || is_any_here;
+        }
+        return is_any;
+    }
+
+    // Unmarks those that are beside all ways; returns whether one is left.
+    bool find_beside(std::size_t half) {
+        const gonio::detail::SidesOfWays<D> sides(light_, halves_[half].point);
+        bool is_any = false;
+        for (std::size_t i = 0; i < body_count_; ++i) {
+            const auto is_marked = half_at(mark_of(i), half) == D(1);
+            if (!simd::any(is_marked)) continue;
+            const auto may_hide = simd::both(is_marked, sides.may_meet(bodies_[i]));
+            is_any = is_any || simd::any(may_hide);
+            put_half(simd::select(may_hide, D(1), D(0)), mark_of(i), half);
         }
         return is_any;
     }

@@ -368,6 +368,49 @@ TEST(ShadowKernels, OnlyBodiesThatAreNearHide) {
     EXPECT_GT(by_one, 500U);
 }
 
+Vec any_point_of(const gonio::detail::LinedLight& light, test::Numbers& random) {
+    const auto vector = [](const double(&v)[3]) { return Vec(v[0], v[1], v[2]); };
+    const Vec along = vector(light.center) + random.between(-1.0, 1.0) * light.half_size[0] * vector(light.x);
+    if (light.kind == gonio::detail::LinedLight::Kind::rectangle)
+        return along + random.between(-1.0, 1.0) * light.half_size[1] * vector(light.y);
+    return along + light.radius * random.direction(); // a cylinder is within this
+}
+
+// No ray from the light to the receiver meets a body that is beside all ways; of the others, which may be behind the
+// receiver, many are met.
+TEST(ShadowKernels, NoRayMeetsABodyBesideAllWays) {
+    const Vec at(0.1, -0.2, 2.4);
+    test::Numbers random(32);
+    for (const Light& light :
+         {light_of("rect:w=1m,h=40cm", "1000cd", at, {0.2, 0.1, -1.0}), light_of("rect:w=3m,h=10cm", "1000cd", at),
+          light_of("tube:r=2cm,l=2m", "1000cd", at), light_of("cylinder:r=20cm,l=60cm", "1000cd", at)}) {
+        const gonio::detail::LinedLight lined = gonio::detail::lined_light(light, {light.frame.origin, 1.6});
+        std::size_t beside = 0;
+        std::size_t met = 0;
+        std::size_t others = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const Primitive body = any_body(random);
+            const ShadowBody numbers = gonio::detail::shadow_body(body, lined);
+            if (!gonio::detail::SidesOfWays<double>::may_be_beside(lined, numbers)) continue;
+            Vec point = random.in_box(3.0);
+            if (i % 9 == 4) point = light.frame.origin + random.between(-2.0, 2.0) * light.frame.x;
+            if (i % 9 == 7) point = light.frame.origin + random.between(-2.0, 2.0) * light.frame.y;
+            const bool may_meet =
+                gonio::detail::SidesOfWays<double>(lined, {point.x, point.y, point.z}).may_meet(numbers);
+            bool is_met = false;
+            for (int ray = 0; ray < 60 && !is_met; ++ray) {
+                const Vec way = any_point_of(lined, random) - point;
+                is_met = stops(body, {point, glm::normalize(way)}, glm::length(way));
+            }
+            ++(may_meet ? others : beside);
+            if (is_met) ++met;
+            EXPECT_TRUE(may_meet || !is_met) << i;
+        }
+        EXPECT_GT(beside, 1000U);
+        EXPECT_GT(3 * met, others);
+    }
+}
+
 TEST(ShadowKernels, TheSameBodyTwiceHidesAsMuch) {
     std::size_t by_one = 0;
     for (const Case& of : cases()) {
