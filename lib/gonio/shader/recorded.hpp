@@ -20,6 +20,8 @@ template<class>
 struct RulePointOf;
 template<class>
 struct AnglePairOf;
+template<class>
+struct EitherPairOf;
 } // namespace gonio::shading::detail
 
 namespace gonio::shader {
@@ -31,6 +33,9 @@ template<>
 inline constexpr std::array<std::string_view, 3> column_names<shading::detail::RulePointOf>{"x", "y", "weight"};
 template<>
 inline constexpr std::array<std::string_view, 2> column_names<shading::detail::AnglePairOf>{"weight", "angle"};
+template<>
+inline constexpr std::array<std::string_view, 4> column_names<shading::detail::EitherPairOf>{"weight", "angle",
+                                                                                             "few_weight", "few_angle"};
 
 } // namespace gonio::shader
 

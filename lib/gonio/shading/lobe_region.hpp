@@ -47,6 +47,10 @@ GONIO_FORCE_INLINE vec3<S> touching_plane(vec3<S> rim, vec3<S> by_cos, vec3<S> b
 // A light is thin if the angle between two planes that touch it along its sides has a greater cosine.
 inline constexpr double thin_cosine = 0.9;
 
+// Half as many rows are enough for a tube that is thinner still and half of whose length is more than so many radii.
+inline constexpr double thinner_cosine = 0.99;
+inline constexpr double slender = 4.0;
+
 // Regions: convex cones of directions above the receiver's horizon. Each has
 //     nearest                    the unit normal, inwards, of a plane that touches it near z'
 //     for_each_extreme(A, work)  work(p', whether p is in the region, or on its outline) for points that include those
@@ -265,7 +269,7 @@ struct TubeSeen {
 // A tube: the convex hull of its ends' cones.
 template<class S>
 struct TubeRegion {
-    static constexpr const auto& rows = LobeRule<S>::eight;
+    static constexpr const auto& rows = LobeRule<S>::eight_or_four;
     static constexpr const auto& along_row = LobeRule<S>::six;
     static constexpr bool has_axis = true;
 
@@ -279,6 +283,7 @@ struct TubeRegion {
     // Rows lie along a thin tube: across it their lengths would have kinks where they leave the side for an end.
     vec3<S> own_axis, own_nearest;
     simd::mask_of<S> along_light;
+    simd::mask_of<S> takes_few_rows; // along one whose ends are little of it
 
     template<bool sheared>
     GONIO_FORCE_INLINE TubeRegion(const LtcLobe<S, sheared>& lobe, const TubeSeen<S>& tube)
@@ -308,7 +313,10 @@ struct TubeRegion {
         nearest = own_nearest;
         if (simd::any(beyond))
             nearest = select(beyond, select(tube.along > S(0), end[0].touching(), end[1].touching()), nearest);
-        along_light = simd::both(!beyond, dot(side[0], side[1]) < S(-thin_cosine));
+        const S side_cosine = dot(side[0], side[1]);
+        along_light = simd::both(!beyond, side_cosine < S(-thin_cosine));
+        takes_few_rows =
+            simd::both(along_light, simd::both(tube.half > S(slender) * tube.radius, side_cosine < S(-thinner_cosine)));
         own_axis = normalized(axis1);
         nearest = select(cut, nearer_plane(nearest, horizon), nearest);
     }

@@ -125,14 +125,15 @@ public:
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
         const Fan<S> around(first_, last_);
         if constexpr (simd::is_recorded<S>) {
-            around.for_each(in_order<rule>(), [&](vec2<S> turned, S turn) { for_each_of_row(turned, turn, work); });
+            around.for_each(in_order<rule>(), takes_few_rows(),
+                            [&](vec2<S> turned, S turn) { for_each_of_row(turned, turn, work); });
         } else {
             // One loop over each, so that its body is compiled once.
             vec2<S> turned[rows];
             S turn[rows];
-            around.divide(rule, &turned[0], &turn[0]);
+            around.divide(rule, takes_few_rows(), &turned[0], &turn[0]);
             for (std::size_t k = 0; k < rows; ++k)
-                for_each_of_row(turned[k], turn[k], work);
+                if (simd::any(turn[k] > S(0))) for_each_of_row(turned[k], turn[k], work);
         }
     }
 
@@ -148,6 +149,14 @@ private:
                     simd::mul_add(m00, q.z, -(m20 * q.x))};
         }
     };
+
+    // Of the rows along a light.
+    GONIO_FORCE_INLINE simd::mask_of<S> takes_few_rows() const {
+        if constexpr (has_axis && requires { region_.takes_few_rows; })
+            return region_.takes_few_rows;
+        else
+            return S(1) < S(0);
+    }
 
     template<class Work>
     GONIO_FORCE_INLINE void for_each_of_row(vec2<S> turned, S turn, const Work& work) const {
@@ -208,11 +217,11 @@ private:
             work(mul_add(by_x, at.x, by_y * at.y), angle * at.x * strength);
         };
         if constexpr (simd::is_recorded<S>) {
-            along.for_each(in_order<Region::along_row>(), place);
+            along.for_each(in_order<Region::along_row>(), S(1) < S(0), place);
         } else {
             vec2<S> at[points_of_row];
             S angle[points_of_row];
-            along.divide(Region::along_row, &at[0], &angle[0]);
+            along.divide(Region::along_row, S(1) < S(0), &at[0], &angle[0]);
             for (std::size_t k = 0; k < points_of_row; ++k)
                 place(at[k], angle[k]);
         }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 
 namespace gonio::shading::detail {
 
@@ -21,36 +22,66 @@ struct SymmetricRule {
 
     static constexpr std::size_t size() { return 2 * pairs; }
 };
+// Pairs of two rules. The second has fewer points, and its further pairs no weight.
+template<class Number>
+struct EitherPairOf {
+    Number weight, at, few_weight, few_at;
+};
+using EitherPair = EitherPairOf<float>;
+template<std::size_t pairs>
+struct EitherRule {
+    EitherPair pair[pairs];
+
+    static constexpr std::size_t size() { return 2 * pairs; }
+};
 // Gauss–Legendre but for one. Members of a template on the scalar: nothing here may be shared between instruction sets.
 template<class S>
 struct LobeRule {
     static constexpr SymmetricRule<2> four{{{0.65214515F, 0.33998104F}, {0.34785485F, 0.86113631F}}};
     static constexpr SymmetricRule<3> six{
         {{0.46791393F, 0.23861919F}, {0.36076157F, 0.66120939F}, {0.17132449F, 0.93246951F}}};
-    static constexpr SymmetricRule<4> eight{{{0.36268378F, 0.18343464F},
-                                             {0.31370665F, 0.52553241F},
-                                             {0.22238103F, 0.79666648F},
-                                             {0.10122854F, 0.96028986F}}};
+    // Eight, or four that are exact for a polynomial of x of degree 3 and for another times √(1 − x²).
+    static constexpr EitherRule<4> eight_or_four{{{0.36268378F, 0.18343464F, 0.74945408F, 0.40470353F},
+                                                  {0.31370665F, 0.52553241F, 0.25054592F, 0.91678828F},
+                                                  {0.22238103F, 0.79666648F, 0.0F, 0.0F},
+                                                  {0.10122854F, 0.96028986F, 0.0F, 0.0F}}};
     // For a function that begins and ends like a root: exact for √(1 − x²) times a polynomial of x of degree 11
     // (Gauss–Chebyshev of the second kind, its weights over that root).
     static constexpr SymmetricRule<3> six_of_roots{
         {{0.43754662F, 0.22252093F}, {0.35088515F, 0.6234898F}, {0.19472657F, 0.90096887F}}};
 };
 
-// The points of a rule by their angles, from the least to the greatest.
-template<std::size_t count>
+// The points of a rule by their angles, from the least to the greatest; of an EitherRule, of its first.
+template<std::size_t count, class Pair>
 struct AngleRule {
-    AnglePair at[count];
+    Pair at[count];
 };
+constexpr AnglePair mirrored(const AnglePair& pair) {
+    return {pair.weight, -pair.at};
+}
+constexpr EitherPair mirrored(const EitherPair& pair) {
+    return {pair.weight, -pair.at, pair.few_weight, -pair.few_at};
+}
 template<const auto& rule>
-constexpr AngleRule<rule.size()> in_order() {
-    AngleRule<rule.size()> all{};
+constexpr auto in_order() {
+    AngleRule<rule.size(), std::remove_cvref_t<decltype(rule.pair[0])>> all{};
     constexpr std::size_t pairs = std::size(rule.pair);
     for (std::size_t i = 0; i < pairs; ++i) {
         all.at[rule.size() - pairs + i] = rule.pair[i];
-        all.at[pairs - 1 - i] = {rule.pair[i].weight, -rule.pair[i].at};
+        all.at[pairs - 1 - i] = mirrored(rule.pair[i]);
     }
     return all;
+}
+
+// A pair as numbers of S; of two rules, in each lane of one of them.
+template<class S, class Number>
+GONIO_FORCE_INLINE AnglePairOf<S> pair_of(const AnglePairOf<Number>& pair, simd::mask_of<S> /*takes_few*/) {
+    return {S(pair.weight), S(pair.at)};
+}
+template<class S, class Number>
+GONIO_FORCE_INLINE AnglePairOf<S> pair_of(const EitherPairOf<Number>& pair, simd::mask_of<S> takes_few) {
+    return {simd::select(takes_few, S(pair.few_weight), S(pair.weight)),
+            simd::select(takes_few, S(pair.few_at), S(pair.at))};
 }
 
 // The directions between two in a plane, at most half a turn apart.
@@ -90,30 +121,27 @@ struct Fan {
             angle * simd::detail::polynomial(square, 0.99999954F, -0.16665984F, 0.0083175814F, -0.00018673332F),
             simd::mul_add(simd::detail::polynomial(square, -0.49995528F, 0.041541302F, -0.0012884766F), square, S(1))};
     }
-    // work(direction, its share of the whole angle) for both points of a pair.
-    template<class Work>
-    GONIO_FORCE_INLINE void for_both(const AnglePair& pair, const Work& work) const {
-        const auto [sine, cosine] = turn(half * S(pair.at));
-        work(middle * cosine - beside * sine, half * S(pair.weight));
-        work(middle * cosine + beside * sine, half * S(pair.weight));
-    }
-    // The same for all points of a rule in one loop.
-    template<std::size_t count, class Work>
-    GONIO_FORCE_INLINE void for_each(const AngleRule<count>& rule, const Work& work) const {
+    // work(direction, its share of the whole angle) for each point of a rule, in one loop.
+    template<std::size_t count, class Pair, class Work>
+    GONIO_FORCE_INLINE void for_each(const AngleRule<count, Pair>& rule, simd::mask_of<S> takes_few,
+                                     const Work& work) const {
         simd::for_each_of<S>(rule.at, [&](const auto& point) {
-            const auto [sine, cosine] = turn(half * S(point.at));
-            work(middle * cosine + beside * sine, half * S(point.weight));
+            const AnglePairOf<S> pair = pair_of<S>(point, takes_few);
+            const auto [sine, cosine] = turn(half * pair.at);
+            work(middle * cosine + beside * sine, half * pair.weight);
         });
     }
-    // All points of a rule, with their shares of the whole angle.
-    template<std::size_t pairs>
-    GONIO_FORCE_INLINE void divide(const SymmetricRule<pairs>& rule, vec2<S>* at, S* share) const {
-        for (const AnglePair& pair : rule.pair)
-            for_both(
-                pair, [&](vec2<S> direction, S angle) __attribute__((always_inline)) {
-                    *at++ = direction;
-                    *share++ = angle;
-                });
+    // The directions of a rule, and their shares of the whole angle.
+    template<class Rule>
+    GONIO_FORCE_INLINE void divide(const Rule& rule, simd::mask_of<S> takes_few, vec2<S>* at, S* share) const {
+        for (const auto& of_rule : rule.pair) {
+            const AnglePairOf<S> pair = pair_of<S>(of_rule, takes_few);
+            const auto [sine, cosine] = turn(half * pair.at);
+            *at++ = middle * cosine - beside * sine;
+            *at++ = middle * cosine + beside * sine;
+            *share++ = half * pair.weight;
+            *share++ = half * pair.weight;
+        }
     }
 
 private:

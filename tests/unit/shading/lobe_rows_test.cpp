@@ -19,7 +19,7 @@
 namespace {
 
 using namespace gonio::shading;
-using gonio::shading::detail::AnglePair;
+using gonio::shading::detail::AnglePairOf;
 using gonio::shading::detail::Fan;
 using gonio::shading::detail::LobeRule;
 using poses::Random;
@@ -32,49 +32,45 @@ constexpr double pi = std::numbers::pi;
 // Both points of a pair lie at ±at of half the angle, within the 4e-5 of its own polynomial, and directions are nearly
 // unit.
 TEST(LobeRows, AFanDividesAnglesByTheRule) {
-    struct Pair {
-        const AnglePair& pair;
-        double at;
-    };
-    const Pair pairs[] = {// the nodes, with all their digits
-                          {LobeRule<double>::four.pair[0], 0.33998104358485626},
-                          {LobeRule<double>::four.pair[1], 0.86113631159405258},
-                          {LobeRule<double>::six.pair[0], 0.23861918608319691},
-                          {LobeRule<double>::six.pair[1], 0.66120938646626451},
-                          {LobeRule<double>::six.pair[2], 0.93246951420315203},
-                          {LobeRule<double>::eight.pair[0], 0.18343464249564980},
-                          {LobeRule<double>::eight.pair[1], 0.52553240991632899},
-                          {LobeRule<double>::eight.pair[2], 0.79666647741362674},
-                          {LobeRule<double>::eight.pair[3], 0.96028985649753623},
-                          {LobeRule<double>::six_of_roots.pair[0], std::cos(3.0 * pi / 7.0)},
-                          {LobeRule<double>::six_of_roots.pair[1], std::cos(2.0 * pi / 7.0)},
-                          {LobeRule<double>::six_of_roots.pair[2], std::cos(pi / 7.0)}};
-    for (double whole = 1e-6; whole <= pi; whole = whole < 0.01 ? 10.0 * whole : whole + 0.01)
-        for (const double from : {-3.0, 0.0, 1.2}) {
-            const auto unit = [](double angle) { return vec2<double>{std::cos(angle), std::sin(angle)}; };
-            const Fan<double> fan(unit(from), unit(from + whole));
-            EXPECT_NEAR(fan.half, 0.5 * whole, 4e-5 * whole) << whole;
-            for (const Pair& each : pairs) {
-                int side = 0;
-                double weights = 0.0;
-                fan.for_both(each.pair, [&](vec2<double> at, double weight) {
-                    const double expected = from + 0.5 * whole * (1.0 + (side++ == 0 ? -each.at : each.at));
-                    const vec2<double> off = at - unit(expected);
-                    EXPECT_LT(std::sqrt(dot(off, off)), 5e-5 * whole) << whole << ' ' << each.at;
-                    EXPECT_NEAR(dot(at, at), 1.0, 1e-5) << whole << ' ' << each.at;
-                    weights += weight;
-                });
-                EXPECT_NEAR(weights, whole * static_cast<double>(each.pair.weight), 1e-4 * whole);
+    const auto expect_divided = [](const auto& rule, bool takes_few, std::vector<double> nodes) {
+        for (double whole = 1e-6; whole <= pi; whole = whole < 0.01 ? 10.0 * whole : whole + 0.01)
+            for (const double from : {-3.0, 0.0, 1.2}) {
+                const auto unit = [](double angle) { return vec2<double>{std::cos(angle), std::sin(angle)}; };
+                const Fan<double> fan(unit(from), unit(from + whole));
+                EXPECT_NEAR(fan.half, 0.5 * whole, 4e-5 * whole) << whole;
+                std::vector<vec2<double>> at(rule.size());
+                std::vector<double> weight(rule.size());
+                fan.divide(rule, takes_few, at.data(), weight.data());
+                for (std::size_t i = 0; i < rule.size(); ++i) {
+                    const AnglePairOf<double> pair =
+                        gonio::shading::detail::pair_of<double>(rule.pair[i / 2], takes_few);
+                    EXPECT_NEAR(weight[i], 0.5 * whole * pair.weight, 1e-4 * whole);
+                    const double node = i % 2 == 0 ? -nodes[i / 2] : nodes[i / 2];
+                    const vec2<double> off = at[i] - unit(from + 0.5 * whole * (1.0 + node));
+                    EXPECT_LT(std::sqrt(dot(off, off)), 5e-5 * whole) << whole << ' ' << node;
+                    EXPECT_NEAR(dot(at[i], at[i]), 1.0, 1e-5) << whole << ' ' << node;
+                }
             }
-        }
+    };
+    using Rules = LobeRule<double>;
+    // The nodes, with all their digits.
+    expect_divided(Rules::four, false, {0.33998104358485626, 0.86113631159405258});
+    expect_divided(Rules::six, false, {0.23861918608319691, 0.66120938646626451, 0.93246951420315203});
+    expect_divided(Rules::six_of_roots, false,
+                   {std::cos(3.0 * pi / 7.0), std::cos(2.0 * pi / 7.0), std::cos(pi / 7.0)});
+    expect_divided(Rules::eight_or_four, false,
+                   {0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623});
+    expect_divided(Rules::eight_or_four, true, {0.4047035329057201, 0.9167882833412947, 0.0, 0.0});
 }
 
-// ∫ over [-1, 1] of x^2n, and of √(1 − x²) x^2n by the rule for roots.
+// ∫ over [-1, 1] of x^2n, and of √(1 − x²) x^2n by the rules for roots.
 TEST(LobeRows, RulesIntegratePolynomials) {
-    const auto sum = [](const auto& rule, const auto& f) {
+    const auto sum = [](const auto& rule, const auto& f, bool takes_few = false) {
         double total = 0.0;
-        for (const AnglePair& pair : rule.pair)
-            total += 2.0 * static_cast<double>(pair.weight) * f(static_cast<double>(pair.at));
+        for (const auto& of_rule : rule.pair) {
+            const AnglePairOf<double> pair = gonio::shading::detail::pair_of<double>(of_rule, takes_few);
+            total += 2.0 * pair.weight * f(pair.at);
+        }
         return total;
     };
     const auto one = [](double) { return 1.0; };
@@ -87,11 +83,17 @@ TEST(LobeRows, RulesIntegratePolynomials) {
             EXPECT_NEAR(sum(Rules::four, to_the(power, one)), whole, 1e-7) << power;
         }
         EXPECT_NEAR(sum(Rules::six, to_the(power, one)), whole, 1e-7) << power;
-        EXPECT_NEAR(sum(Rules::eight, to_the(power, one)), whole, 1e-7) << power;
+        EXPECT_NEAR(sum(Rules::eight_or_four, to_the(power, one)), whole, 1e-7) << power;
+        if (power < 4) {
+            EXPECT_NEAR(sum(Rules::eight_or_four, to_the(power, one), true), whole, 1e-7) << power;
+        }
     }
     double moment = 0.5 * pi; // of x^2n √(1 − x²): π/2, times (2n − 1)/(2n + 2) from each to the next
     for (int power = 0; power < 12; power += 2) {
         EXPECT_NEAR(sum(Rules::six_of_roots, to_the(power, root)), moment, 1e-7) << power;
+        if (power < 4) {
+            EXPECT_NEAR(sum(Rules::eight_or_four, to_the(power, root), true), moment, 1e-7) << power;
+        }
         moment *= (power + 1.0) / (power + 4.0);
     }
 }
