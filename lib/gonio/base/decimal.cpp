@@ -1,23 +1,10 @@
 #include <gonio/base/decimal.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 
 namespace gonio {
-
-namespace {
-
-// Exact.
-constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                            1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-} // namespace
-
-double Decimal::value() const {
-    return static_cast<double>(digits) / powers.at(static_cast<std::size_t>(decimals));
-}
 
 std::optional<Decimal> nearest_decimal(double magnitude, int digits) {
     if (!(magnitude >= 1e-7 && magnitude < 1e14) || digits < 1 || digits > most_digits_of_decimal) return std::nullopt;
@@ -25,6 +12,7 @@ std::optional<Decimal> nearest_decimal(double magnitude, int digits) {
     std::memcpy(&bits, &magnitude, sizeof(bits));
     const int exponent = static_cast<int>(bits >> 52U) - 1023;
     // The decimal exponent or one less: log₁₀ 2 is 78913/2¹⁸.
+    constexpr auto& powers = Decimal::powers;
     int decimals = digits - 1 - ((exponent * 78913) >> 18);
     const double above = powers.at(static_cast<std::size_t>(digits));
     if (decimals < 0 || decimals >= static_cast<int>(powers.size())) return std::nullopt;

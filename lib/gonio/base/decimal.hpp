@@ -1,6 +1,8 @@
 // Doubles that are decimals of few digits, found by a product in place of an algorithm for all doubles. Internal.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -17,8 +19,14 @@ struct Decimal {
     std::int64_t digits = 0;
     int decimals = 0;
 
+    // Of ten; exact.
+    static constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                       1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
     // The nearest double: both numbers are exact, so the quotient is rounded once.
-    [[nodiscard]] double value() const;
+    [[nodiscard]] double value() const {
+        return static_cast<double>(digits) / powers[static_cast<std::size_t>(decimals)];
+    }
 };
 
 inline constexpr int most_digits_of_decimal = 14;

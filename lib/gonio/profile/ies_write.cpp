@@ -20,7 +20,7 @@ public:
     void add(double value) {
         const std::size_t before = text_.size();
         if (before > line_) text_ += ' ';
-        profile_detail::append_number(text_, value);
+        number_.append(text_, value);
         if (before == line_ || text_.size() - line_ + line_end.size() <= longest_) return;
         text_.replace(before, 1, line_end);
         line_ = before + line_end.size();
@@ -38,6 +38,7 @@ public:
 
 private:
     std::string& text_;
+    profile_detail::NumberText number_;
     std::size_t longest_;
     std::size_t line_ = text_.size(); // where the line begins
 };

@@ -16,7 +16,7 @@ public:
     }
 
     void add(double value) {
-        profile_detail::append_number(text_, value);
+        number_.append(text_, value);
         text_ += "\r\n";
     }
 
@@ -31,6 +31,7 @@ public:
 
 private:
     std::string text_;
+    profile_detail::NumberText number_;
 };
 
 } // namespace

@@ -305,9 +305,10 @@ void put_intensity(pugi::xml_node emitter, const Tm33Intensity& intensity) {
 
 std::string list_text(const std::vector<double>& numbers) {
     std::string text;
+    NumberText shortest;
     for (const double number : numbers) {
         if (!text.empty()) text += ' ';
-        append_number(text, number);
+        shortest.append(text, number);
     }
     return text;
 }

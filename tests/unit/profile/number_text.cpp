@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
@@ -48,6 +49,26 @@ TEST(NumberText, IsTheShortestOfAnyDouble) {
     for (const double value :
          {0.0, -0.0, 1e-7, 9.99999999e-8, 1e14, 99999999999999.5, 99999999999999.0, 0.1, 0.3, 0.1 + 0.2, 1.0 / 3.0})
         expect_shortest(value);
+}
+
+// Whatever came before.
+TEST(NumberText, OfATableIsThatOfEachNumber) {
+    std::mt19937_64 generator(3);
+    profile_detail::NumberText table;
+    for (int i = 0; i < 200'000; ++i) {
+        const int decimals = static_cast<int>((i / 50 + static_cast<int>(generator() % 2)) % 16);
+        const double value = std::floor(std::pow(10.0, static_cast<double>(generator() % 15)) *
+                                        std::generate_canonical<double, 53>(generator)) /
+                             std::pow(10.0, decimals);
+        std::string text;
+        std::string alone;
+        table.append(text, generator() % 2 == 0 ? value : -value / 3.0);
+        profile_detail::append_number(alone, std::strtod(text.c_str(), nullptr));
+        ASSERT_EQ(text, alone);
+        if (!text.empty() && text[0] != '-') {
+            ASSERT_EQ(text, shortest_fixed(value));
+        }
+    }
 }
 
 } // namespace
