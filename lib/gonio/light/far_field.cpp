@@ -1,3 +1,4 @@
+#include <gonio/base/frame.hpp>
 #include <gonio/light/far_field.hpp>
 #include <gonio/light/luminances.hpp>
 #include <gonio/web/quick_web.hpp>
@@ -5,8 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <variant>
 #include <vector>
@@ -31,38 +34,103 @@ glm::dvec3 on_spiral(int i, int count) {
     return {r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z};
 }
 
+// Gauss–Legendre on [-1, 1].
+struct Node {
+    double at;
+    double weight;
+};
+constexpr std::array<Node, 3> gauss_3{
+    {{-0.77459666924148338, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {0.77459666924148338, 5.0 / 9.0}}};
+constexpr std::array<Node, 4> gauss_4{{{-0.86113631159405258, 0.34785484513745386},
+                                       {-0.33998104358485626, 0.65214515486254614},
+                                       {0.33998104358485626, 0.65214515486254614},
+                                       {0.86113631159405258, 0.34785484513745386}}};
+constexpr int points_of_ring = 8;
+
+// The part of a sphere about the middle whose points have at least the cosine `least` to a direction: rings about it.
+void cap_of(const SphereShape& sphere, double area_m2, const glm::dvec3& direction, double least,
+            std::vector<Element>& to) {
+    const Frame about = aimed_frame(glm::dvec3(0.0), direction, {0.0, 0.0, 1.0});
+    const double half = 0.5 * (1.0 - least);
+    double turn = 0.0;
+    for (const Node& ring : gauss_4) {
+        const double z = least + half * (1.0 + ring.at);
+        const double r = std::sqrt((1.0 - z) * (1.0 + z));
+        for (int i = 0; i < points_of_ring; ++i) {
+            const double angle = 2.0 * std::numbers::pi * (i + turn) / points_of_ring;
+            const glm::dvec3 normal = z * direction + r * (std::cos(angle) * about.x + std::sin(angle) * about.y);
+            to.push_back({sphere.radius.value * normal, normal, half * 0.5 * ring.weight / points_of_ring * area_m2});
+        }
+        turn = 0.5 - turn;
+    }
+}
+
 struct ElementsOf {
     const LuminousFace& face;
     std::vector<Element>& to;
 
     void operator()(const RectShape& rect) const {
-        constexpr int n = 6;
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                add(((i + 0.5) / n - 0.5) * rect.width.value, ((j + 0.5) / n - 0.5) * rect.height.value, n * n);
+        for (const Node& x : gauss_4)
+            for (const Node& y : gauss_4)
+                add(0.5 * x.at * rect.width.value, 0.5 * y.at * rect.height.value, 0.25 * x.weight * y.weight);
     }
     void operator()(const DiskShape& disk) const { round(disk.radius.value, disk.radius.value); }
     void operator()(const EllipseShape& ellipse) const { round(0.5 * ellipse.width.value, 0.5 * ellipse.height.value); }
-    void operator()(const SphereShape& sphere) const {
-        constexpr int n = 100;
-        for (int i = 0; i < n; ++i) {
-            const glm::dvec3 normal = on_spiral(i, n);
-            to.push_back({sphere.radius.value * normal, normal, face.area_m2 / n});
-        }
-    }
+    void operator()(const SphereShape& sphere) const { cap_of(sphere, face.area_m2, {0.0, 0.0, 1.0}, 0.0, to); }
     template<class Kind>
     void operator()(const Kind& /*no face*/) const {}
 
 private:
+    // Rings that are uniform in area, each turned against the one before.
     void round(double half_x, double half_y) const {
-        constexpr int n = 36;
-        for (int i = 0; i < n; ++i) {
-            const double r = std::sqrt((i + 0.5) / n);
-            add(half_x * r * std::cos(golden_angle * i), half_y * r * std::sin(golden_angle * i), n);
+        double turn = 0.0;
+        for (const Node& ring : gauss_3) {
+            const double r = std::sqrt(0.5 * (1.0 + ring.at));
+            for (int i = 0; i < points_of_ring; ++i) {
+                const double angle = 2.0 * std::numbers::pi * (i + turn) / points_of_ring;
+                add(half_x * r * std::cos(angle), half_y * r * std::sin(angle), 0.5 * ring.weight / points_of_ring);
+            }
+            turn = 0.5 - turn;
         }
     }
-    void add(double x, double y, int count) const {
-        to.push_back({face.frame.origin + x * face.frame.x + y * face.frame.y, face.normal, face.area_m2 / count});
+    void add(double x, double y, double share) const {
+        to.push_back({face.frame.origin + x * face.frame.x + y * face.frame.y, face.normal, face.area_m2 * share});
+    }
+};
+
+// How far a face reaches from the middle of the body [m].
+struct FarthestOf {
+    const LuminousFace& face;
+
+    double operator()(const RectShape& rect) const {
+        double farthest_m = 0.0;
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {-0.5, 0.5})
+                farthest_m = std::max(farthest_m, distance_m(x * rect.width.value, y * rect.height.value));
+        return farthest_m;
+    }
+    double operator()(const DiskShape& disk) const { return of_rim(disk.radius.value, disk.radius.value); }
+    double operator()(const EllipseShape& ellipse) const {
+        return of_rim(0.5 * ellipse.width.value, 0.5 * ellipse.height.value);
+    }
+    double operator()(const SphereShape& sphere) const { return sphere.radius.value; }
+    template<class Kind>
+    double operator()(const Kind& /*no face*/) const {
+        return 0.0;
+    }
+
+private:
+    double of_rim(double half_x, double half_y) const {
+        constexpr int points = 32;
+        double farthest_m = 0.0;
+        for (int i = 0; i < points; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / points;
+            farthest_m = std::max(farthest_m, distance_m(half_x * std::cos(angle), half_y * std::sin(angle)));
+        }
+        return farthest_m;
+    }
+    double distance_m(double x, double y) const {
+        return glm::length(face.frame.origin + x * face.frame.x + y * face.frame.y);
     }
 };
 
@@ -73,11 +141,10 @@ public:
         for (const LuminousFace& face : body.faces()) {
             std::vector<Element> elements;
             std::visit(ElementsOf{face, elements}, face.shape);
+            size_m_ = std::max(size_m_, 2.0 * std::visit(FarthestOf{face}, face.shape));
             faces_.push_back({&face, all_.size(), all_.size() + elements.size()});
             all_.insert(all_.end(), elements.begin(), elements.end());
         }
-        for (const Element& element : all_)
-            size_m_ = std::max(size_m_, 2.0 * glm::length(element.position));
         for (std::vector<double>* const numbers : {&x_, &y_, &z_, &distance_m_, &projected_m3_, &candela_, &weights_})
             numbers->resize(all_.size());
     }
@@ -94,6 +161,12 @@ public:
             const double in_front_m = glm::dot(distance_m * direction - face.of->frame.origin, face.of->normal);
             if (is_flat && in_front_m < -1e-9 * size_m_) continue;
             const bool is_surely_lit = is_flat && in_front_m > 1e-9 * size_m_;
+            if (const auto* const sphere = std::get_if<SphereShape>(&face.of->shape)) {
+                // What the receiver sees, so that no element is at its edge.
+                cap_.clear();
+                cap_of(*sphere, face.of->area_m2, direction, std::min(sphere->radius.value / distance_m, 1.0), cap_);
+                std::copy(cap_.begin(), cap_.end(), all_.begin() + static_cast<std::ptrdiff_t>(face.first));
+            }
             for (std::size_t i = face.first; i < face.end; ++i) {
                 const Element& element = all_[i];
                 const glm::dvec3 away = distance_m * direction - element.position;
@@ -132,6 +205,7 @@ private:
     QuickWeb quick_;
     std::vector<Element> all_;
     std::vector<Face> faces_;
+    std::vector<Element> cap_; // of a sphere
     double size_m_ = 0.0;
     // Of the elements that shine on the receiver: the way to it, and what their light is multiplied by.
     std::vector<double> x_;
