@@ -240,12 +240,11 @@ private:
                 parts_.add(patch.flat, patch.number, patch.over_rays);
                 continue;
             }
-            has_link =
-                is_far(distance2_of(place, patch, sender.chart), patch.half_across_m, LinkedCells::least_of_patch) ? 1
-                                                                                                                   : 0;
+            const double distance2 = distance2_of(place, patch, sender.chart);
+            has_link = is_far(distance2, patch.half_across_m, LinkedCells::least_of_patch) ? 1 : 0;
             if (has_link == 0) continue;
             if (patch.half_length_m > 0.0) {
-                link_stretched(place, frame, patch, sender.chart);
+                link_stretched(place, frame, patch, sender.chart, distance2);
                 continue;
             }
             const Way to_patch(place, patch.middle, patch.normal);
@@ -269,14 +268,17 @@ private:
                      patch.of_bright * slopes);
     }
 
-    // A patch along a thin solid, in parts that are far enough away for the form factor of what is small.
+    // A patch along a thin solid, in parts that are far enough away for the form factor of what is small. `distance2`:
+    // to its nearest point.
     void link_stretched(const Receivers::Place& place, const Frame& frame, const LinkedPatch& patch,
-                        std::uint32_t chart) {
-        const double across_m = patch.half_across_m;
-        const double least_m = std::sqrt(distance2_of(place, patch, chart)) / LinkedCells::least_of_patch;
-        const double half_part_m =
-            std::max(std::sqrt(std::max(least_m * least_m - across_m * across_m, 0.0)), across_m);
-        const double parts = std::min(std::ceil(patch.half_length_m / half_part_m), most_parts);
+                        std::uint32_t chart, double distance2) {
+        const double across2 = patch.half_across_m * patch.half_across_m;
+        const double least2 = distance2 / (LinkedCells::least_of_patch * LinkedCells::least_of_patch);
+        double parts = 1.0;
+        if (patch.half_length_m * patch.half_length_m > std::max(least2 - across2, across2)) {
+            const double half_part_m = std::sqrt(std::max(least2 - across2, across2));
+            parts = std::min(std::ceil(patch.half_length_m / half_part_m), most_parts);
+        }
         const glm::dvec3& axis = patches_.charts().all()[chart].frame.z;
         for (double i = 0.0; i < parts; i += 1.0) {
             const double at = (i + 0.5) / parts - 0.5;
