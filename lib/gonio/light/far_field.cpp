@@ -1,4 +1,5 @@
 #include <gonio/base/frame.hpp>
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/light/far_field.hpp>
 #include <gonio/light/luminances.hpp>
 #include <gonio/web/quick_web.hpp>
@@ -6,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -34,17 +34,10 @@ glm::dvec3 on_spiral(int i, int count) {
     return {r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z};
 }
 
-// Gauss–Legendre on [-1, 1].
-struct Node {
-    double at;
-    double weight;
-};
-constexpr std::array<Node, 3> gauss_3{
-    {{-0.77459666924148338, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {0.77459666924148338, 5.0 / 9.0}}};
-constexpr std::array<Node, 4> gauss_4{{{-0.86113631159405258, 0.34785484513745386},
-                                       {-0.33998104358485626, 0.65214515486254614},
-                                       {0.33998104358485626, 0.65214515486254614},
-                                       {0.86113631159405258, 0.34785484513745386}}};
+// On [-1, 1].
+constexpr auto along_side = gauss_legendre<4>();
+constexpr auto rings = gauss_legendre<3>();
+constexpr auto rings_of_cap = gauss_legendre<4>();
 constexpr int points_of_ring = 8;
 
 // The part of a sphere about the middle whose points have at least the cosine `least` to a direction: rings about it.
@@ -53,7 +46,7 @@ void cap_of(const SphereShape& sphere, double area_m2, const glm::dvec3& directi
     const Frame about = aimed_frame(glm::dvec3(0.0), direction, {0.0, 0.0, 1.0});
     const double half = 0.5 * (1.0 - least);
     double turn = 0.0;
-    for (const Node& ring : gauss_4) {
+    for (const QuadratureNode& ring : rings_of_cap) {
         const double z = least + half * (1.0 + ring.at);
         const double r = std::sqrt((1.0 - z) * (1.0 + z));
         for (int i = 0; i < points_of_ring; ++i) {
@@ -70,8 +63,8 @@ struct ElementsOf {
     std::vector<Element>& to;
 
     void operator()(const RectShape& rect) const {
-        for (const Node& x : gauss_4)
-            for (const Node& y : gauss_4)
+        for (const QuadratureNode& x : along_side)
+            for (const QuadratureNode& y : along_side)
                 add(0.5 * x.at * rect.width.value, 0.5 * y.at * rect.height.value, 0.25 * x.weight * y.weight);
     }
     void operator()(const DiskShape& disk) const { round(disk.radius.value, disk.radius.value); }
@@ -84,7 +77,7 @@ private:
     // Rings that are uniform in area, each turned against the one before.
     void round(double half_x, double half_y) const {
         double turn = 0.0;
-        for (const Node& ring : gauss_3) {
+        for (const QuadratureNode& ring : rings) {
             const double r = std::sqrt(0.5 * (1.0 + ring.at));
             for (int i = 0; i < points_of_ring; ++i) {
                 const double angle = 2.0 * std::numbers::pi * (i + turn) / points_of_ring;

@@ -1,6 +1,7 @@
 // The distance from which a luminaire is a point, against the plain search: every element and direction, by halves.
 #include <gonio/base/diagnostics.hpp>
 #include <gonio/base/frame.hpp>
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/light/far_field.hpp>
 #include <gonio/light/luminous_body.hpp>
 #include <gonio/light/opening.hpp>
@@ -39,13 +40,8 @@ glm::dvec3 on_spiral(int i, int count) {
     return {r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z};
 }
 
-struct Node {
-    double at; // on [-1, 1]
-    double weight;
-};
-
-std::vector<Node> midpoints(int count) {
-    std::vector<Node> all;
+std::vector<QuadratureNode> midpoints(int count) {
+    std::vector<QuadratureNode> all;
     for (int i = 0; i < count; ++i)
         all.push_back({(2.0 * i + 1.0) / count - 1.0, 2.0 / count});
     return all;
@@ -53,16 +49,16 @@ std::vector<Node> midpoints(int count) {
 
 // By what a face is divided.
 struct Rules {
-    std::vector<Node> along_side;
-    std::vector<Node> rings;
+    std::vector<QuadratureNode> along_side;
+    std::vector<QuadratureNode> rings;
     int points_of_ring;
 };
-const Rules few{{{-0.86113631159405258, 0.34785484513745386},
-                 {-0.33998104358485626, 0.65214515486254614},
-                 {0.33998104358485626, 0.65214515486254614},
-                 {0.86113631159405258, 0.34785484513745386}},
-                {{-0.77459666924148338, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {0.77459666924148338, 5.0 / 9.0}},
-                8};
+template<std::size_t count>
+std::vector<QuadratureNode> gauss_nodes() {
+    constexpr auto rule = gauss_legendre<count>();
+    return {rule.begin(), rule.end()};
+}
+const Rules few{gauss_nodes<4>(), gauss_nodes<3>(), 8};
 const Rules dense{midpoints(14), midpoints(10), 20};
 
 // As a receiver in a direction and at a distance sees them.
@@ -84,8 +80,8 @@ std::vector<Element> elements_of(const LuminousBody& body, const Rules& rules, c
                 }
         };
         if (const auto* const rect = std::get_if<RectShape>(&face.shape)) {
-            for (const Node& x : rules.along_side)
-                for (const Node& y : rules.along_side)
+            for (const QuadratureNode& x : rules.along_side)
+                for (const QuadratureNode& y : rules.along_side)
                     add(0.5 * x.at * rect->width.value, 0.5 * y.at * rect->height.value, 0.25 * x.weight * y.weight);
         } else if (const auto* const disk = std::get_if<DiskShape>(&face.shape)) {
             round(disk->radius.value, disk->radius.value);
@@ -93,7 +89,7 @@ std::vector<Element> elements_of(const LuminousBody& body, const Rules& rules, c
             round(0.5 * ellipse->width.value, 0.5 * ellipse->height.value);
         } else if (const auto* const sphere = std::get_if<SphereShape>(&face.shape)) {
             // What is seen from there: rings about the direction.
-            const std::vector<Node>& rings = rules.along_side;
+            const std::vector<QuadratureNode>& rings = rules.along_side;
             const double least = sphere->radius.value / distance_m;
             const Frame about = aimed_frame(glm::dvec3(0.0), direction, {0.0, 0.0, 1.0});
             for (std::size_t ring = 0; ring < rings.size(); ++ring)
