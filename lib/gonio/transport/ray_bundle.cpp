@@ -115,8 +115,9 @@ private:
                (chart.kind == Chart::Kind::round || glm::dot(chart.frame.z, place.position - chart.frame.origin) > 0.0);
     }
 
-    void link(const Receivers::Place& place, std::vector<Link>& links, std::vector<LinkSlope>& slopes,
-              std::span<float> of_charts) {
+    // A function of its own: inlined into the loop over places, its own loops are slower.
+    [[gnu::noinline]] void link(const Receivers::Place& place, std::vector<Link>& links, std::vector<LinkSlope>& slopes,
+                                std::span<float> of_charts) {
         const Frame frame = frame_about(place.position, place.normal);
         if (!linked_.empty()) std::fill(by_link_.begin(), by_link_.end(), By::rays);
         for (const LinkedCells::OfChart& chart : linked_.by_chart()) {
