@@ -40,22 +40,33 @@ constexpr auto rings = gauss_legendre<3>();
 constexpr auto rings_of_cap = gauss_legendre<4>();
 constexpr int points_of_ring = 8;
 
-// The part of a sphere about the middle whose points have at least the cosine `least` to a direction: rings about it.
-void cap_of(const SphereShape& sphere, double area_m2, const glm::dvec3& direction, double least,
-            std::vector<Element>& to) {
-    const Frame about = aimed_frame(glm::dvec3(0.0), direction, {0.0, 0.0, 1.0});
-    const double half = 0.5 * (1.0 - least);
+// work(node, cosine and sine of the azimuth, share of all points) for the points of rings, each turned against the one
+// before.
+template<class Rule, class Work>
+void for_each_on_rings(const Rule& rule, const Work& work) {
     double turn = 0.0;
-    for (const QuadratureNode& ring : rings_of_cap) {
-        const double z = least + half * (1.0 + ring.at);
-        const double r = std::sqrt((1.0 - z) * (1.0 + z));
+    for (const QuadratureNode& ring : rule) {
         for (int i = 0; i < points_of_ring; ++i) {
             const double angle = 2.0 * std::numbers::pi * (i + turn) / points_of_ring;
-            const glm::dvec3 normal = z * direction + r * (std::cos(angle) * about.x + std::sin(angle) * about.y);
-            to.push_back({sphere.radius.value * normal, normal, half * 0.5 * ring.weight / points_of_ring * area_m2});
+            work(ring.at, std::cos(angle), std::sin(angle), 0.5 * ring.weight / points_of_ring);
         }
         turn = 0.5 - turn;
     }
+}
+
+// The part of a sphere about the middle that a receiver in a direction sees, in `points_of_cap` elements: rings about
+// the direction, so that none is at the edge of what is seen.
+constexpr std::size_t points_of_cap = rings_of_cap.size() * points_of_ring;
+void find_cap(const SphereShape& sphere, double area_m2, const glm::dvec3& direction, double distance_m, Element* to) {
+    const Frame about = aimed_frame(glm::dvec3(0.0), direction, {0.0, 0.0, 1.0});
+    const double least = std::min(sphere.radius.value / distance_m, 1.0); // cosine to the direction
+    const double half = 0.5 * (1.0 - least);
+    for_each_on_rings(rings_of_cap, [&](double at, double cosine, double sine, double share) {
+        const double z = least + half * (1.0 + at);
+        const double r = std::sqrt((1.0 - z) * (1.0 + z));
+        const glm::dvec3 normal = z * direction + r * (cosine * about.x + sine * about.y);
+        *to++ = {sphere.radius.value * normal, normal, half * share * area_m2};
+    });
 }
 
 struct ElementsOf {
@@ -69,22 +80,18 @@ struct ElementsOf {
     }
     void operator()(const DiskShape& disk) const { round(disk.radius.value, disk.radius.value); }
     void operator()(const EllipseShape& ellipse) const { round(0.5 * ellipse.width.value, 0.5 * ellipse.height.value); }
-    void operator()(const SphereShape& sphere) const { cap_of(sphere, face.area_m2, {0.0, 0.0, 1.0}, 0.0, to); }
+    // Room for those that find_cap() finds.
+    void operator()(const SphereShape& /*sphere*/) const { to.resize(to.size() + points_of_cap); }
     template<class Kind>
     void operator()(const Kind& /*no face*/) const {}
 
 private:
-    // Rings that are uniform in area, each turned against the one before.
+    // Rings that are uniform in area.
     void round(double half_x, double half_y) const {
-        double turn = 0.0;
-        for (const QuadratureNode& ring : rings) {
-            const double r = std::sqrt(0.5 * (1.0 + ring.at));
-            for (int i = 0; i < points_of_ring; ++i) {
-                const double angle = 2.0 * std::numbers::pi * (i + turn) / points_of_ring;
-                add(half_x * r * std::cos(angle), half_y * r * std::sin(angle), 0.5 * ring.weight / points_of_ring);
-            }
-            turn = 0.5 - turn;
-        }
+        for_each_on_rings(rings, [&](double at, double cosine, double sine, double share) {
+            const double r = std::sqrt(0.5 * (1.0 + at));
+            add(half_x * r * cosine, half_y * r * sine, share);
+        });
     }
     void add(double x, double y, double share) const {
         to.push_back({face.frame.origin + x * face.frame.x + y * face.frame.y, face.normal, face.area_m2 * share});
@@ -154,12 +161,8 @@ public:
             const double in_front_m = glm::dot(distance_m * direction - face.of->frame.origin, face.of->normal);
             if (is_flat && in_front_m < -1e-9 * size_m_) continue;
             const bool is_surely_lit = is_flat && in_front_m > 1e-9 * size_m_;
-            if (const auto* const sphere = std::get_if<SphereShape>(&face.of->shape)) {
-                // What the receiver sees, so that no element is at its edge.
-                cap_.clear();
-                cap_of(*sphere, face.of->area_m2, direction, std::min(sphere->radius.value / distance_m, 1.0), cap_);
-                std::copy(cap_.begin(), cap_.end(), all_.begin() + static_cast<std::ptrdiff_t>(face.first));
-            }
+            if (const auto* const sphere = std::get_if<SphereShape>(&face.of->shape))
+                find_cap(*sphere, face.of->area_m2, direction, distance_m, all_.data() + face.first);
             for (std::size_t i = face.first; i < face.end; ++i) {
                 const Element& element = all_[i];
                 const glm::dvec3 away = distance_m * direction - element.position;
@@ -198,7 +201,6 @@ private:
     QuickWeb quick_;
     std::vector<Element> all_;
     std::vector<Face> faces_;
-    std::vector<Element> cap_; // of a sphere
     double size_m_ = 0.0;
     // Of the elements that shine on the receiver: the way to it, and what their light is multiplied by.
     std::vector<double> x_;

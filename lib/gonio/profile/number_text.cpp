@@ -38,7 +38,7 @@ std::optional<Decimal> with_decimals(double magnitude, int decimals) {
 std::optional<Decimal> shortest_decimal(double magnitude, int first) {
     std::optional<Decimal> found = with_decimals(magnitude, first);
     for (int decimals = 0; !found && decimals <= 3; ++decimals)
-        found = with_decimals(magnitude, decimals);
+        if (decimals != first) found = with_decimals(magnitude, decimals);
     if (!found) {
         constexpr int few = 9; // as portable profiles have
         found = nearest_decimal(magnitude, few);

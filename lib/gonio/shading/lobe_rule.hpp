@@ -34,7 +34,8 @@ struct EitherRule {
 
     static constexpr std::size_t size() { return 2 * pairs; }
 };
-// Gauss–Legendre but for one. Members of a template on the scalar: nothing here may be shared between instruction sets.
+// Gauss–Legendre where nothing else is said. Members of a template on the scalar: nothing here may be shared between
+// instruction sets.
 template<class S>
 struct LobeRule {
     static constexpr SymmetricRule<2> four{{{0.65214515F, 0.33998104F}, {0.34785485F, 0.86113631F}}};

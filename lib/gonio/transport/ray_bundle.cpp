@@ -275,11 +275,10 @@ private:
                         std::uint32_t chart, double distance2) {
         const double across2 = patch.half_across_m * patch.half_across_m;
         const double least2 = distance2 / (LinkedCells::least_of_patch * LinkedCells::least_of_patch);
+        const double half_part2 = std::max(least2 - across2, across2);
         double parts = 1.0;
-        if (patch.half_length_m * patch.half_length_m > std::max(least2 - across2, across2)) {
-            const double half_part_m = std::sqrt(std::max(least2 - across2, across2));
-            parts = std::min(std::ceil(patch.half_length_m / half_part_m), most_parts);
-        }
+        if (patch.half_length_m * patch.half_length_m > half_part2)
+            parts = std::min(std::ceil(patch.half_length_m / std::sqrt(half_part2)), most_parts);
         const glm::dvec3& axis = patches_.charts().all()[chart].frame.z;
         for (double i = 0.0; i < parts; i += 1.0) {
             const double at = (i + 0.5) / parts - 0.5;
