@@ -59,6 +59,33 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
     return wrong == 0 && end - text >= static_cast<std::ptrdiff_t>(offset) + 64 + decimal_lookahead;
 }
 
+// From the begin of the text to the end of a token, at least, for methods that read words from 24 bytes before that end
+// on: eight bytes lie before the text.
+inline constexpr std::uint32_t most_before = 16;
+
+// Tokens of one kind, of a pack or less.
+template<class S>
+struct TokenGroup {
+    std::uint16_t tokens[TokenWords<S>::lanes];
+    std::uint32_t bounds[2 * TokenWords<S>::lanes];
+    std::size_t count = 0;
+
+    // Returns whether it is full.
+    bool add(std::uint16_t token, const Tokens<S>& all) {
+        tokens[count] = token;
+        bounds[2 * count] = all.begin(token);
+        bounds[2 * count + 1] = all.end(token);
+        return ++count == TokenWords<S>::lanes;
+    }
+    // Repeats the first until it is full.
+    void fill() {
+        for (std::size_t k = count; k < TokenWords<S>::lanes; ++k) {
+            bounds[2 * k] = bounds[0];
+            bounds[2 * k + 1] = bounds[1];
+        }
+    }
+};
+
 // Converts the tokens of the list `left`, which convert() could not; returns the first that no method converts, or
 // `count`.
 template<class S>
@@ -69,41 +96,36 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
         return run.convert(text + tokens.begin(k), text + tokens.end(k), numbers[k]);
     };
     if constexpr (Words::converts_wide) {
-        constexpr std::size_t lanes = Words::lanes;
-        std::uint16_t group[lanes]; // tokens to convert together
-        std::uint32_t bounds[2 * lanes];
-        std::size_t grouped = 0;
         std::size_t converted = count; // before the first that is not
-        const auto close_group = [&] {
-            if (grouped == 0) return;
-            for (std::size_t k = grouped; k < lanes; ++k) {
-                bounds[2 * k] = bounds[0];
-                bounds[2 * k + 1] = bounds[1];
-            }
-            double some[lanes];
-            const unsigned bad = Words::convert_wide(text, bounds, some);
-            for (std::size_t k = 0; k < grouped; ++k) {
+        const auto close = [&](TokenGroup<S>& group, const auto& convert) {
+            if (group.count == 0) return;
+            group.fill();
+            double some[Words::lanes];
+            const unsigned bad = convert(text, group.bounds, some);
+            for (std::size_t k = 0; k < group.count; ++k) {
                 if ((bad >> k & 1U) == 0)
-                    numbers[group[k]] = some[k];
-                else if (!slowly(group[k]) && group[k] < converted)
-                    converted = group[k];
+                    numbers[group.tokens[k]] = some[k];
+                else if (!slowly(group.tokens[k]) && group.tokens[k] < converted)
+                    converted = group.tokens[k];
             }
-            grouped = 0;
+            group.count = 0;
         };
+        TokenGroup<S> wide;
+        TokenGroup<S> long_ones;
         for (std::size_t i = 0; i < left_count && converted == count; ++i) {
             const std::uint16_t token = left[i];
             const std::uint32_t length = tokens.end(token) - tokens.begin(token);
             // Shorter ones were refused for another reason; eight bytes lie before the text.
-            if (length <= 8 || length > 16 || tokens.end(token) < 8) {
-                if (!slowly(token)) converted = token;
-                continue;
+            if (length > 8 && length <= 16 && tokens.end(token) >= 8) {
+                if (wide.add(token, tokens)) close(wide, Words::convert_wide);
+            } else if (length > 16 && length <= 24 && tokens.end(token) >= most_before) {
+                if (long_ones.add(token, tokens)) close(long_ones, Words::convert_long);
+            } else if (!slowly(token)) {
+                converted = token;
             }
-            group[grouped] = token;
-            bounds[2 * grouped] = tokens.begin(token);
-            bounds[2 * grouped + 1] = tokens.end(token);
-            if (++grouped == lanes) close_group();
         }
-        close_group();
+        close(wide, Words::convert_wide);
+        close(long_ones, Words::convert_long);
         return converted;
     } else {
         for (std::size_t i = 0; i < left_count; ++i)
@@ -118,17 +140,23 @@ bool is_half(unsigned bits) {
     return 2 * static_cast<std::size_t>(__builtin_popcount(bits)) >= TokenWords<S>::lanes;
 }
 
-// Converts tokens from token `from` on as long as half of them need two words; fewer are gathered by convert_left().
-// Returns how many: whole packs. `leave` takes those that are left. Inlined it would take registers from its caller.
+// Converts tokens from token `from` on as long as half of them need two words, or three; fewer are gathered by
+// convert_left(). Returns how many: whole packs. `leave` takes those that are left. Inlined it would take registers
+// from its caller.
 template<class S, class Leave>
-[[gnu::noinline]] std::size_t convert_wide(const char* text, const Tokens<S>& tokens, std::size_t from,
-                                           std::size_t count, double* numbers, const Leave& leave) {
+[[gnu::noinline]] std::size_t convert_longer(const char* text, const Tokens<S>& tokens, std::size_t from,
+                                             std::size_t count, double* numbers, const Leave& leave) {
     using Words = TokenWords<S>;
     std::size_t i = from;
     for (; i + Words::lanes <= count; i += Words::lanes) {
         const std::uint32_t* const bounds = tokens.bounds + 2 * i;
-        if (tokens.end(i) < 8 || !is_half<S>(Words::wide(bounds))) break; // eight bytes lie before the text
-        leave(Words::convert_wide(text, bounds, numbers + i), i);
+        if (tokens.end(i) < most_before) break;
+        if (is_half<S>(Words::wide(bounds)))
+            leave(Words::convert_wide(text, bounds, numbers + i), i);
+        else if (is_half<S>(Words::wider(bounds)))
+            leave(Words::convert_long(text, bounds, numbers + i), i);
+        else
+            break;
     }
     return i - from;
 }
@@ -150,7 +178,7 @@ std::size_t convert_tokens(const char* text, Tokens<S>& tokens, std::size_t coun
         const unsigned bad = Words::convert(text, tokens.bounds + 2 * i, numbers + i);
         leave(bad, i);
         if constexpr (Words::converts_wide)
-            if (is_half<S>(bad)) i += convert_wide<S>(text, tokens, i + lanes, count, numbers, leave);
+            if (is_half<S>(bad)) i += convert_longer<S>(text, tokens, i + lanes, count, numbers, leave);
     }
     if (i < count) {
         for (std::size_t k = count; k < i + lanes; ++k) {

@@ -26,6 +26,14 @@ struct ByteMasks {
     std::uint64_t lf;      // and LF
 };
 
+// Of convert_long(), which divides a number of two doubles by a power of ten that is one (T. Dekker, A floating-point
+// technique for extending the available precision, 1971). The quotient is the sum of a double and a rest, which is known
+// to a few of its last bits. Where a rest that is larger or smaller by this share of
+// itself would give another sum, the number is left to the method that decides by integers.
+inline constexpr double quotient_error = 0x1p-48;
+constexpr double exact_powers_of_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                            1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
 template<class S>
 struct TokenWords {
     static constexpr std::size_t lanes = 1;
@@ -120,8 +128,10 @@ struct TokenWords {
         return 0;
     }
 
-    // As convert(), for tokens of at most 16 characters; at least 16 bytes of text lie before their ends. Not here: the
-    // method for one number is as fast.
+    // Not here, where the methods for one number are as fast: convert_wide() is as convert(), for tokens of at most 16
+    // characters, and convert_long() for those of 2 to 24, but for those of less than 17 with a minus. Words that
+    // they read begin up to 24 bytes before the end of a token. wide() and wider() say which tokens need two words and
+    // which need three.
     static constexpr bool converts_wide = false;
 
     // The number written by eight digits, the first in the lowest byte: pairs, fours, all eight.

@@ -117,8 +117,19 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         return static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(wide)));
     }
 
+    // Bit i: token i has more.
+    static unsigned wider(const std::uint32_t* bounds) {
+        const __m256i wider = _mm256_cmpgt_epi64(lengths(bounds), _mm256_set1_epi64x(16));
+        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(wider)));
+    }
+
+    // The eight bytes that begin this many before the end of each token.
+    static __m256i words_before(const char* text, const std::uint32_t* bounds, int before) {
+        const auto word = [&](int i) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
+        return _mm256_set_epi64x(word(3), word(2), word(1), word(0));
+    }
+
     static unsigned convert_wide(const char* text, const std::uint32_t* bounds, double* numbers) {
-        const auto word = [&](int i, int before) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
         const __m256i zero = _mm256_setzero_si256();
         const __m256i ones = _mm256_set1_epi8(1);
         const __m256i all = _mm256_set1_epi8(-1);
@@ -129,10 +140,8 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         const __m256i is_long = _mm256_cmpgt_epi64(length, _mm256_set1_epi64x(8));
         const __m256i keep_high = _mm256_sllv_epi64(all, _mm256_add_epi64(before_low, _mm256_set1_epi64x(64)));
         const __m256i keep_low = _mm256_or_si256(_mm256_sllv_epi64(all, before_low), is_long);
-        const __m256i high_words = _mm256_set_epi64x(word(3, 16), word(2, 16), word(1, 16), word(0, 16));
-        const __m256i low_words = _mm256_set_epi64x(word(3, 8), word(2, 8), word(1, 8), word(0, 8));
-        const __m256i high = _mm256_and_si256(_mm256_xor_si256(high_words, zeros), keep_high);
-        const __m256i low = _mm256_and_si256(_mm256_xor_si256(low_words, zeros), keep_low);
+        const __m256i high = _mm256_and_si256(_mm256_xor_si256(words_before(text, bounds, 16), zeros), keep_high);
+        const __m256i low = _mm256_and_si256(_mm256_xor_si256(words_before(text, bounds, 8), zeros), keep_low);
         const __m256i high_marks = _mm256_and_si256(_mm256_srli_epi64(high, 4), ones);
         const __m256i low_marks = _mm256_and_si256(_mm256_srli_epi64(low, 4), ones);
         const __m256i high_second = _mm256_srli_epi64(high, 1);
@@ -193,6 +202,105 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
             _mm256_andnot_si256(_mm256_or_si256(no_digit, too_long),
                                 _mm256_and_si256(_mm256_cmpeq_epi64(wrong, zero), _mm256_and_si256(one_point, exact)));
         return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU;
+    }
+
+    static unsigned convert_long(const char* text, const std::uint32_t* bounds, double* numbers) {
+        const __m256i zero = _mm256_setzero_si256();
+        const __m256i ones = _mm256_set1_epi8(1);
+        const __m256i all = _mm256_set1_epi8(-1);
+        const __m256i zeros = _mm256_set1_epi8('0');
+        const __m256i length = lengths(bounds);
+        const auto above = [](__m256i of, long long most) { return _mm256_cmpgt_epi64(of, _mm256_set1_epi64x(most)); };
+        // The three words that end with the tokens; bytes before a token are cleared.
+        const auto kept_of = [&](int before) {
+            const __m256i bits = _mm256_sub_epi64(_mm256_set1_epi64x(8LL * before), _mm256_slli_epi64(length, 3));
+            return _mm256_or_si256(_mm256_sllv_epi64(all, bits), above(length, before)); // negative shifts clear all
+        };
+        const __m256i keep = kept_of(24);
+        const auto kept_word = [&](int before, __m256i kept) {
+            return _mm256_and_si256(_mm256_xor_si256(words_before(text, bounds, before), zeros), kept);
+        };
+        const __m256i high = kept_word(24, keep);
+        const __m256i middle = kept_word(16, kept_of(16));
+        const __m256i low = kept_word(8, kept_of(8));
+        const auto marks_in = [&](__m256i word) { return _mm256_and_si256(_mm256_srli_epi64(word, 4), ones); };
+        const auto second = [](__m256i word) { return _mm256_srli_epi64(word, 1); };
+        const __m256i high_marks = marks_in(high);
+        const __m256i middle_marks = marks_in(middle);
+        const __m256i low_marks = marks_in(low);
+        const __m256i high_point = _mm256_andnot_si256(high, high_marks);
+        const __m256i middle_point = _mm256_andnot_si256(middle, middle_marks);
+        const __m256i low_point = _mm256_andnot_si256(low, low_marks);
+        const __m256i minus = _mm256_andnot_si256(second(high), high_marks);
+        const __m256i first = _mm256_andnot_si256(_mm256_slli_epi64(keep, 8), _mm256_and_si256(keep, ones));
+        const __m256i slash = _mm256_or_si256(_mm256_and_si256(high_marks, _mm256_and_si256(high, second(high))),
+                                              _mm256_or_si256(_mm256_andnot_si256(middle_point, middle_marks),
+                                                              _mm256_andnot_si256(low_point, low_marks)));
+        const __m256i wrong = _mm256_or_si256(slash, _mm256_andnot_si256(first, minus));
+        const __m256i points =
+            _mm256_sad_epu8(_mm256_add_epi8(high_point, _mm256_add_epi8(middle_point, low_point)), zero);
+        const __m256i none_in_high = _mm256_cmpeq_epi64(high_point, zero);
+        const __m256i none_in_middle = _mm256_cmpeq_epi64(middle_point, zero);
+        const __m256i none_in_low = _mm256_cmpeq_epi64(low_point, zero);
+        const __m256i none_below_high = _mm256_and_si256(none_in_middle, none_in_low);
+        const auto digits_of = [&](__m256i word, __m256i marks) {
+            return _mm256_andnot_si256(_mm256_sub_epi8(zero, marks), word);
+        };
+        const __m256i high_digits = digits_of(high, high_marks);
+        const __m256i middle_digits = digits_of(middle, middle_marks);
+        const __m256i low_digits = digits_of(low, low_marks);
+        // The digits before the point move up by one byte, over the point.
+        const auto moved_in = [&](__m256i point, __m256i none, __m256i none_below) {
+            return _mm256_or_si256(_mm256_andnot_si256(none, _mm256_add_epi64(point, all)),
+                                   _mm256_andnot_si256(none_below, all));
+        };
+        const __m256i low_moved = moved_in(low_point, none_in_low, all);
+        const __m256i middle_moved = moved_in(middle_point, none_in_middle, none_in_low);
+        const __m256i high_moved = moved_in(high_point, none_in_high, none_below_high);
+        const auto joined = [](__m256i digits, __m256i moved) {
+            return _mm256_or_si256(_mm256_andnot_si256(moved, digits),
+                                   _mm256_slli_epi64(_mm256_and_si256(digits, moved), 8));
+        };
+        const auto across = [](__m256i none, __m256i digits) {
+            return _mm256_andnot_si256(none, _mm256_srli_epi64(digits, 56));
+        };
+        const __m256i upper = number_in(joined(high_digits, high_moved));
+        const __m256i between =
+            number_in(_mm256_or_si256(joined(middle_digits, middle_moved), across(none_below_high, high_digits)));
+        const __m256i lower =
+            number_in(_mm256_or_si256(joined(low_digits, low_moved), across(none_in_low, middle_digits)));
+        const auto bit_in = [&](__m256i moved) { return _mm256_and_si256(moved, ones); };
+        const __m256i before = _mm256_sad_epu8(
+            _mm256_add_epi8(bit_in(high_moved), _mm256_add_epi8(bit_in(middle_moved), bit_in(low_moved))), zero);
+        const __m256i decimals = _mm256_andnot_si256(_mm256_and_si256(none_in_high, none_below_high),
+                                                     _mm256_sub_epi64(_mm256_set1_epi64x(23), before));
+        const __m256d power =
+            _mm256_i64gather_pd(exact_powers_of_ten, _mm256_min_epu32(decimals, _mm256_set1_epi64x(22)), 8);
+        // The number as the sum of two doubles, each exact.
+        const __m256d eight_digits = _mm256_set1_pd(1e8);
+        const __m256d eleven =
+            to_double(_mm256_add_epi64(_mm256_mul_epu32(upper, _mm256_set1_epi64x(100000000)), between));
+        const __m256d product = _mm256_mul_pd(eleven, eight_digits);
+        const __m256d rest = _mm256_add_pd(_mm256_fmsub_pd(eleven, eight_digits, product), to_double(lower));
+        const __m256d number = _mm256_add_pd(product, rest);
+        const __m256d number_rest = _mm256_sub_pd(rest, _mm256_sub_pd(number, product));
+        // The quotient as well, the second with an error far below what `error` stands for.
+        const __m256d quotient = _mm256_div_pd(number, power);
+        const __m256d remainder = _mm256_add_pd(_mm256_fnmadd_pd(quotient, power, number), number_rest);
+        const __m256d quotient_rest = _mm256_div_pd(remainder, power);
+        const __m256d error = _mm256_mul_pd(quotient_rest, _mm256_set1_pd(quotient_error));
+        const __m256d value = _mm256_add_pd(quotient, _mm256_add_pd(quotient_rest, error));
+        const __m256d other = _mm256_add_pd(quotient, _mm256_sub_pd(quotient_rest, error));
+        const __m256d sign =
+            _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
+        _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
+        const __m256i odd_length =
+            _mm256_or_si256(above(length, 24), _mm256_cmpgt_epi64(_mm256_set1_epi64x(2), length));
+        const __m256i odd = _mm256_or_si256(
+            odd_length, _mm256_or_si256(_mm256_or_si256(above(points, 1), above(upper, 999)), above(decimals, 22)));
+        const __m256i fine = _mm256_andnot_si256(odd, _mm256_cmpeq_epi64(wrong, zero));
+        const __m256d certain = _mm256_cmp_pd(value, other, _CMP_EQ_OQ);
+        return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(_mm256_castsi256_pd(fine), certain))) & 0xFU;
     }
 
     // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.

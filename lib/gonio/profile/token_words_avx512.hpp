@@ -107,12 +107,18 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         return static_cast<unsigned>(_mm512_cmple_epu64_mask(above, _mm512_set1_epi64(7)));
     }
 
+    // Bit i: token i has more.
+    static unsigned wider(const std::uint32_t* bounds) {
+        return static_cast<unsigned>(_mm512_cmpgt_epi64_mask(lengths(bounds), _mm512_set1_epi64(16)));
+    }
+
+    // The eight bytes that begin this many before the end of each token.
+    static __m512i words_before(const char* text, const std::uint32_t* bounds, int before) {
+        const auto word = [&](int i) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
+        return _mm512_set_epi64(word(7), word(6), word(5), word(4), word(3), word(2), word(1), word(0));
+    }
+
     static unsigned convert_wide(const char* text, const std::uint32_t* bounds, double* numbers) {
-        const auto word = [&](int i, int before) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
-        const auto words = [&](int before) {
-            return _mm512_set_epi64(word(7, before), word(6, before), word(5, before), word(4, before), word(3, before),
-                                    word(2, before), word(1, before), word(0, before));
-        };
         const __m512i zero = _mm512_setzero_si512();
         const __m512i ones = _mm512_set1_epi8(1);
         const __m512i all = _mm512_set1_epi8(-1);
@@ -122,8 +128,8 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const __m512i before_low = _mm512_sub_epi64(_mm512_set1_epi64(64), _mm512_slli_epi64(length, 3)); // in bits
         const __m512i keep_high = _mm512_sllv_epi64(all, _mm512_add_epi64(before_low, _mm512_set1_epi64(64)));
         const __m512i keep_low = _mm512_sllv_epi64(all, _mm512_max_epi64(before_low, zero));
-        const __m512i high = _mm512_and_si512(_mm512_xor_si512(words(16), zeros), keep_high);
-        const __m512i low = _mm512_and_si512(_mm512_xor_si512(words(8), zeros), keep_low);
+        const __m512i high = _mm512_and_si512(_mm512_xor_si512(words_before(text, bounds, 16), zeros), keep_high);
+        const __m512i low = _mm512_and_si512(_mm512_xor_si512(words_before(text, bounds, 8), zeros), keep_low);
         const __m512i high_marks = _mm512_and_si512(_mm512_srli_epi64(high, 4), ones);
         const __m512i low_marks = _mm512_and_si512(_mm512_srli_epi64(low, 4), ones);
         const __m512i high_second = _mm512_srli_epi64(high, 1);
@@ -178,6 +184,101 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         return static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
                static_cast<unsigned>(_mm512_test_epi64_mask(large, large)) | static_cast<unsigned>(of_high & of_low) |
                static_cast<unsigned>(_mm512_cmpgt_epi64_mask(length, _mm512_set1_epi64(16))) | no_digit;
+    }
+
+    static unsigned convert_long(const char* text, const std::uint32_t* bounds, double* numbers) {
+        const __m512i zero = _mm512_setzero_si512();
+        const __m512i ones = _mm512_set1_epi8(1);
+        const __m512i all = _mm512_set1_epi8(-1);
+        const __m512i zeros = _mm512_set1_epi8('0');
+        const __m512i length = lengths(bounds);
+        // The three words that end with the tokens; bytes before a token are cleared.
+        const auto kept_of = [&](int before) {
+            const __m512i bits = _mm512_sub_epi64(_mm512_set1_epi64(8LL * before), _mm512_slli_epi64(length, 3));
+            return _mm512_sllv_epi64(all, _mm512_max_epi64(bits, zero));
+        };
+        const __m512i keep = kept_of(24);
+        const auto kept_word = [&](int before, __m512i kept) {
+            return _mm512_and_si512(_mm512_xor_si512(words_before(text, bounds, before), zeros), kept);
+        };
+        const __m512i high = kept_word(24, keep);
+        const __m512i middle = kept_word(16, kept_of(16));
+        const __m512i low = kept_word(8, kept_of(8));
+        const auto marks_in = [&](__m512i word) { return _mm512_and_si512(_mm512_srli_epi64(word, 4), ones); };
+        const auto second = [](__m512i word) { return _mm512_srli_epi64(word, 1); };
+        const __m512i high_marks = marks_in(high);
+        const __m512i middle_marks = marks_in(middle);
+        const __m512i low_marks = marks_in(low);
+        const __m512i high_point = _mm512_andnot_si512(high, high_marks);
+        const __m512i middle_point = _mm512_andnot_si512(middle, middle_marks);
+        const __m512i low_point = _mm512_andnot_si512(low, low_marks);
+        const __m512i minus = _mm512_andnot_si512(second(high), high_marks);
+        const __m512i first = _mm512_andnot_si512(_mm512_slli_epi64(keep, 8), _mm512_and_si512(keep, ones));
+        const __m512i slash = _mm512_or_si512(_mm512_and_si512(high_marks, _mm512_and_si512(high, second(high))),
+                                              _mm512_or_si512(_mm512_andnot_si512(middle_point, middle_marks),
+                                                              _mm512_andnot_si512(low_point, low_marks)));
+        const __m512i wrong = _mm512_or_si512(slash, _mm512_andnot_si512(first, minus));
+        const __m512i points =
+            _mm512_sad_epu8(_mm512_add_epi8(high_point, _mm512_add_epi8(middle_point, low_point)), zero);
+        const __mmask8 of_high = _mm512_test_epi64_mask(high_point, high_point);
+        const __mmask8 of_middle = _mm512_test_epi64_mask(middle_point, middle_point);
+        const __mmask8 of_low = _mm512_test_epi64_mask(low_point, low_point);
+        const auto digits_of = [&](__m512i word, __m512i marks) {
+            return _mm512_andnot_si512(_mm512_sub_epi8(zero, marks), word);
+        };
+        const __m512i high_digits = digits_of(high, high_marks);
+        const __m512i middle_digits = digits_of(middle, middle_marks);
+        const __m512i low_digits = digits_of(low, low_marks);
+        // The digits before the point move up by one byte, over the point.
+        const auto moved_in = [&](__m512i point, __mmask8 of_word, unsigned of_lower) {
+            return _mm512_mask_mov_epi64(_mm512_maskz_add_epi64(of_word, point, all), static_cast<__mmask8>(of_lower),
+                                         all);
+        };
+        const __m512i low_moved = moved_in(low_point, of_low, 0);
+        const __m512i middle_moved = moved_in(middle_point, of_middle, of_low);
+        const __m512i high_moved = moved_in(high_point, of_high, static_cast<unsigned>(of_middle | of_low));
+        const auto joined = [](__m512i digits, __m512i moved) {
+            return _mm512_or_si512(_mm512_andnot_si512(moved, digits),
+                                   _mm512_slli_epi64(_mm512_and_si512(digits, moved), 8));
+        };
+        const auto across = [](unsigned moved, __m512i digits) {
+            return _mm512_maskz_srli_epi64(static_cast<__mmask8>(moved), digits, 56);
+        };
+        const __m512i upper = number_in(joined(high_digits, high_moved));
+        const __m512i between = number_in(_mm512_or_si512(
+            joined(middle_digits, middle_moved), across(static_cast<unsigned>(of_middle | of_low), high_digits)));
+        const __m512i lower = number_in(_mm512_or_si512(joined(low_digits, low_moved), across(of_low, middle_digits)));
+        const auto bit_in = [&](__m512i moved) { return _mm512_and_si512(moved, ones); };
+        const __m512i before = _mm512_sad_epu8(
+            _mm512_add_epi8(bit_in(high_moved), _mm512_add_epi8(bit_in(middle_moved), bit_in(low_moved))), zero);
+        const __m512i decimals =
+            _mm512_maskz_sub_epi64(static_cast<__mmask8>(of_high | of_middle | of_low), _mm512_set1_epi64(23), before);
+        const __m512d power =
+            _mm512_i64gather_pd(_mm512_min_epi64(decimals, _mm512_set1_epi64(22)), exact_powers_of_ten, 8);
+        // The number as the sum of two doubles, each exact.
+        const __m512d eight_digits = _mm512_set1_pd(1e8);
+        const __m512d eleven =
+            _mm512_cvtepi64_pd(_mm512_add_epi64(_mm512_mul_epu32(upper, _mm512_set1_epi64(100000000)), between));
+        const __m512d product = _mm512_mul_pd(eleven, eight_digits);
+        const __m512d rest = _mm512_add_pd(_mm512_fmsub_pd(eleven, eight_digits, product), _mm512_cvtepi64_pd(lower));
+        const __m512d number = _mm512_add_pd(product, rest);
+        const __m512d number_rest = _mm512_sub_pd(rest, _mm512_sub_pd(number, product));
+        // The quotient as well, the second with an error far below what `error` stands for.
+        const __m512d quotient = _mm512_div_pd(number, power);
+        const __m512d remainder = _mm512_add_pd(_mm512_fnmadd_pd(quotient, power, number), number_rest);
+        const __m512d quotient_rest = _mm512_div_pd(remainder, power);
+        const __m512d error = _mm512_mul_pd(quotient_rest, _mm512_set1_pd(quotient_error));
+        const __m512d value = _mm512_add_pd(quotient, _mm512_add_pd(quotient_rest, error));
+        const __m512d other = _mm512_add_pd(quotient, _mm512_sub_pd(quotient_rest, error));
+        const __m512i sign = _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
+        _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
+        const __m512i above_two = _mm512_sub_epi64(length, _mm512_set1_epi64(2));
+        return static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
+               static_cast<unsigned>(_mm512_cmpgt_epu64_mask(above_two, _mm512_set1_epi64(22))) |
+               static_cast<unsigned>(_mm512_cmpgt_epi64_mask(points, _mm512_set1_epi64(1))) |
+               static_cast<unsigned>(_mm512_cmpgt_epi64_mask(upper, _mm512_set1_epi64(999))) |
+               static_cast<unsigned>(_mm512_cmpgt_epi64_mask(decimals, _mm512_set1_epi64(22))) |
+               static_cast<unsigned>(_mm512_cmp_pd_mask(value, other, _CMP_NEQ_UQ));
     }
 
     // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.

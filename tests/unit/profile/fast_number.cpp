@@ -218,7 +218,7 @@ TEST(TokenKernels, TakeNumbersOfAnyLengthBetweenAnySeparators) {
 TEST(TokenKernels, GiveTheNearestDoubleForEveryShape) {
     std::mt19937_64 random(11);
     std::vector<std::string> shapes;
-    for (std::size_t length = 1; length <= 21; ++length)
+    for (std::size_t length = 1; length <= 25; ++length)
         for (std::size_t point = 0; point <= length; ++point)
             for (const bool negative : {false, true})
                 for (int i = 0; i < 4; ++i) {
@@ -229,9 +229,33 @@ TEST(TokenKernels, GiveTheNearestDoubleForEveryShape) {
                     if (i == 3 && point == 0) text += '.';
                     shapes.push_back((negative ? "-" : "") + text);
                 }
-    for (const char* const odd : {"-", ".", "-.", "1-2", "1/2", "--1", "1.2.3", "123456.78.9", "12345678-9",
-                                  "1234567/9", "-12345678-", ".123456789.", "9007199254740993", "4503599627370497",
-                                  "1234.5678901.2345678", "12345678.1234567.1", "-1234567890.1-", "1234-5678901"})
+    for (const char* const odd : {"-",
+                                  ".",
+                                  "-.",
+                                  "1-2",
+                                  "1/2",
+                                  "--1",
+                                  "1.2.3",
+                                  "123456.78.9",
+                                  "12345678-9",
+                                  "1234567/9",
+                                  "-12345678-",
+                                  ".123456789.",
+                                  "9007199254740993",
+                                  "4503599627370497",
+                                  "1234.5678901.2345678",
+                                  "12345678.1234567.1",
+                                  "-1234567890.1-",
+                                  "1234-5678901",
+                                  "12345.678901234567.89",
+                                  "12345678901234567/8",
+                                  "123456/8901234567890",
+                                  "--12345678901234567.5",
+                                  "-123456789012-45678901",
+                                  "123456789012345-7890",
+                                  "0.0000012345678901234567",
+                                  "-.0000000000000000000000",
+                                  "00000000000000000000.125"})
         shapes.emplace_back(odd);
     // After few short numbers, and after many that need two words and so are taken in packs of such.
     for (const auto& [before, word] : {std::pair<std::size_t, std::string>{5, "17.5 "}, {20, "17.500000000 "}})
@@ -265,6 +289,36 @@ TEST(TokenKernels, GiveTheNearestDoubleForEveryShape) {
                 EXPECT_EQ(run.highest, std::max(17.5, expected)) << shape;
             }
         }
+}
+
+// Packs of numbers of three words. Ties between two doubles and their neighbours are among them, which need more digits
+// than a quotient of doubles has, and leading zeros, which leave fewer than its first double has.
+TEST(TokenKernels, GiveTheNearestDoubleForLongNumbers) {
+    std::mt19937_64 random(17);
+    for (int i = 0; i < 4000; ++i) {
+        std::vector<std::string> expected;
+        std::string text = "IESNA91\n";
+        while (expected.size() < 40) {
+            const std::uint64_t mantissa = (std::uint64_t{1} << 53U) + (random() >> 11U);
+            const std::uint64_t shift = random() % 8;
+            const std::uint64_t middle = (mantissa << (shift + 1) | std::uint64_t{1} << shift) + random() % 3 - 1;
+            std::string number = std::to_string(i % 2 == 0 ? middle : random() % 10'000'000'000'000'000'000U);
+            number.insert(random() % (number.size() + 1), ".");
+            if (random() % 4 == 0) number.insert(0, std::string(random() % 5, '0'));
+            if (random() % 4 == 0) number.insert(0, "-");
+            text += number + ' ';
+            expected.push_back(number);
+        }
+        text += std::string(200, ' ');
+        for (const gonio::simd::InstructionSet set : gonio::simd::available_sets()) {
+            std::vector<double> numbers(expected.size());
+            const NumberRun run = taken_by(set, text, Separators::any, numbers);
+            for (std::size_t k = 0; k < run.taken; ++k)
+                ASSERT_EQ(numbers[k], std::strtod(expected[k].c_str(), nullptr))
+                    << expected[k] << ' ' << gonio::simd::to_text(set);
+            ASSERT_TRUE(run.taken == expected.size() || expected[run.taken].size() > 20) << expected[run.taken];
+        }
+    }
 }
 
 TEST(TokenKernels, TakeLinesOfOneNumberEachAndNoOthers) {
