@@ -79,7 +79,11 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
     order_between();
     std::vector<Receivers::Place> places;
     for (const Cell& cell : patches_.cells())
-        places.push_back({cell.position, cell.normal, own(patches_.charts().all()[cell.chart].surface), cell.covered});
+        places.push_back({.position = cell.position,
+                          .normal = cell.normal,
+                          .own = own(patches_.charts().all()[cell.chart].surface),
+                          .left_out = cell.covered,
+                          .is_coarse = true});
     if (quality.cell_rays > 0) {
         from_cells_ = Bundles(stage_, patches_, places, quality.cell_rays, threads, set);
         for (std::size_t i = 0; i < places.size(); ++i)

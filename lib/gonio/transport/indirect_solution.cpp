@@ -70,7 +70,7 @@ private:
         std::vector<glm::dvec3> of_patches(patches_.count());
         for (std::uint32_t patch = 0; patch < of_patches.size(); ++patch)
             of_patches[patch] = sent(patch);
-        const std::vector<Sent> all = with_cells(patches_, of_patches);
+        const std::vector<Sent> all = by_sender(patches_, of_patches);
         std::vector<glm::dvec3> lx(patches_.cells().size(), glm::dvec3(0.0));
         constexpr std::size_t together = 64;
         parallel_for((lx.size() + together - 1) / together, threads_, [&](std::size_t block) {

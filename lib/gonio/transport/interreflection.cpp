@@ -22,7 +22,7 @@ namespace {
 
 using detail::ExchangeGeometry;
 using detail::Patches;
-using detail::with_cells;
+using detail::by_sender;
 
 Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo) {
     const Patches& patches = geometry.patches();
@@ -224,7 +224,7 @@ std::vector<detail::Sent> Interreflection::seen_from_nodes(std::span<const glm::
     std::vector<glm::dvec3> sent(indirect_lx.size());
     for (std::uint32_t i = 0; i < sent.size(); ++i)
         sent[i] = geometry_->node_factor(patches.chart_of(i)) * reflected_lx(i, indirect_lx[i]);
-    return with_cells(patches, sent);
+    return by_sender(patches, sent);
 }
 
 std::vector<detail::NodeValue> Interreflection::gathered(std::span<const detail::Sent> sent, std::size_t step,
@@ -306,7 +306,7 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
         std::vector<glm::dvec3> sent(patches.count());
         for (std::uint32_t i = 0; i < sent.size(); ++i)
             sent[i] = reflected(i);
-        sent_ = with_cells(patches, sent);
+        sent_ = by_sender(patches, sent);
     }
     balance_.escaped_lm = sum([&](std::uint32_t i) { return leaves(i) * (1.0 - stays(i)); });
 }

@@ -5,12 +5,124 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace gonio::detail {
 
+namespace {
+
+constexpr std::uint32_t widest_group = 8; // cells along a side
+
+// Cells of a chart that lie in a square, of which the chart's ends may cut something off.
+struct Square {
+    std::uint32_t column, row, side; // in cells
+};
+
+// The sine of the sum of two angles of at most 90°, or 1 beyond 90°.
+double sine_of_sum(double cosine, double other_sine) {
+    const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+    const double other_cosine = std::sqrt(std::max(1.0 - other_sine * other_sine, 0.0));
+    return cosine > other_sine ? sine * other_cosine + cosine * other_sine : 1.0;
+}
+
+// The area of a cell as seen from far away along a unit vector is the product with this.
+glm::dvec3 seen_area_m2(const Patches& patches, std::uint32_t cell) {
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t patch : patches.patches_of(cell))
+        sum += patches.area_m2(patch) * patches.normal(patch);
+    return sum;
+}
+
+// The cells of a chart in rows.
+class CellGrid {
+public:
+    CellGrid(const Patches& patches, std::uint32_t chart, std::size_t cells)
+        : patches_(patches),
+          first_(patches.grid(chart).first_cell),
+          columns_(patches.grid(chart).cell_columns),
+          rows_(static_cast<std::uint32_t>(cells) / columns_) {}
+
+    struct Member {
+        Square square;
+        std::uint32_t of = LinkedCells::no_group; // the group that it is in
+        std::optional<CellGroup> group;           // none: a cell
+    };
+    std::uint32_t number(const Square& square) const { return first_ + square.row * columns_ + square.column; }
+    Square square_of(std::uint32_t cell) const { return {(cell - first_) % columns_, (cell - first_) / columns_, 1}; }
+
+    // Squares of the widest groups, or what they are divided into.
+    std::vector<Member> whole() const {
+        std::vector<Member> members;
+        for (std::uint32_t row = 0; row < rows_; row += widest_group)
+            for (std::uint32_t column = 0; column < columns_; column += widest_group)
+                add({column, row, widest_group}, LinkedCells::no_group, members);
+        return members;
+    }
+    void add_quarters(const Square& square, std::uint32_t of, std::vector<Member>& members) const {
+        const std::uint32_t half = square.side / 2;
+        for (const std::uint32_t row : {square.row, square.row + half})
+            for (const std::uint32_t column : {square.column, square.column + half})
+                add({column, row, half}, of, members);
+    }
+
+private:
+    void add(const Square& square, std::uint32_t of, std::vector<Member>& members) const {
+        if (square.row >= rows_ || square.column >= columns_) return;
+        std::optional<CellGroup> group;
+        if (square.side > 1) group = group_of(square);
+        if (square.side == 1 || group)
+            members.push_back({square, of, std::move(group)});
+        else
+            add_quarters(square, of, members);
+    }
+
+    // None for cells that are not alike or send nothing, and for a single one.
+    std::optional<CellGroup> group_of(const Square& square) const {
+        CellGroup group;
+        glm::dvec3 moment(0.0);
+        glm::dvec3 seen_m2(0.0);
+        for (std::uint32_t row = square.row; row < std::min(square.row + square.side, rows_); ++row)
+            for (std::uint32_t column = square.column; column < std::min(square.column + square.side, columns_);
+                 ++column) {
+                const std::uint32_t number = first_ + row * columns_ + column;
+                const Cell& cell = patches_.cells()[number];
+                const double area_m2 = patches_.cell_area_m2(number);
+                if (cell.covered || cell.is_uneven() || cell.spread > LinkedCells::most_spread || !(area_m2 > 0.0))
+                    return std::nullopt;
+                group.cells.push_back(number);
+                group.chart = cell.chart;
+                group.area_m2 += area_m2;
+                moment += area_m2 * cell.position;
+                seen_m2 += seen_area_m2(patches_, number);
+            }
+        if (group.cells.size() < 2) return std::nullopt;
+        group.position = moment / group.area_m2;
+        group.seen_m2 = glm::length(seen_m2);
+        group.normal = seen_m2 / group.seen_m2;
+        for (const std::uint32_t number : group.cells) {
+            const Cell& cell = patches_.cells()[number];
+            group.half_diagonal_m =
+                std::max(group.half_diagonal_m, glm::distance(cell.position, group.position) + cell.half_diagonal_m);
+            group.spread = std::max(group.spread, sine_of_sum(glm::dot(cell.normal, group.normal), cell.spread));
+        }
+        if (group.spread > LinkedCells::most_spread_of_group) return std::nullopt;
+        return group;
+    }
+
+    const Patches& patches_;
+    std::uint32_t first_, columns_, rows_;
+};
+
+} // namespace
+
 LinkedCells::LinkedCells(const Patches& patches)
-    : is_of_small_(patches.charts().all().size(), 0), is_bright_(is_of_small_.size(), 0) {
+    : is_of_small_(patches.charts().all().size(), 0),
+      is_bright_(is_of_small_.size(), 0),
+      group_of_(patches.cells().size(), no_group) {
     const std::vector<std::uint32_t>& cells = patches.linked_cells();
     for (std::size_t first = 0; first < cells.size();) {
         const std::uint32_t chart = patches.cells()[cells[first]].chart;
@@ -30,20 +142,63 @@ struct LinkedCells::Numbers {
     double reach_m = 0.0;
     double area_m2 = 0.0;
     double least_m = std::numeric_limits<double>::infinity();
+    double least_for_coarse_m = std::numeric_limits<double>::infinity();
 };
 
+// Level by level, so that what one part is divided into lies beside what the next is.
 void LinkedCells::add_chart(const Patches& patches, std::span<const std::uint32_t> cells) {
     const std::uint32_t chart = patches.cells()[cells.front()].chart;
     for (const std::uint32_t cell : cells) {
         if (patches.cells()[cell].is_of_small) is_of_small_[chart] = 1;
         if (patches.cells()[cell].is_bright) is_bright_[chart] = 1;
     }
-    const Range made{parts_.size(), parts_.size() + cells.size()};
-    by_chart_.push_back({chart, made, patches.cells()[cells.front()].position});
-    for (const std::uint32_t cell : cells)
-        add_cell(patches, cell);
-    for (std::size_t cell = made.first; cell < made.last; ++cell)
+    const CellGrid grid(patches, chart, cells.size());
+    std::vector<CellGrid::Member> level;
+    if (is_of_small_[chart] != 0)
+        level = grid.whole();
+    else
+        for (const std::uint32_t cell : cells)
+            level.push_back({grid.square_of(cell), no_group, std::nullopt});
+    const std::size_t first = parts_.size();
+    by_chart_.push_back({chart, {first, first + level.size()}, 0, patches.cells()[cells.front()].position});
+    std::vector<std::size_t> of_cells;
+    while (!level.empty()) {
+        std::vector<CellGrid::Member> next;
+        const std::size_t below = parts_.size() + level.size();
+        for (const CellGrid::Member& member : level) {
+            if (!member.group) {
+                const std::uint32_t cell = grid.number(member.square);
+                group_of_[cell] = member.of;
+                of_cells.push_back(parts_.size());
+                add_cell(patches, cell);
+                continue;
+            }
+            group_of_.push_back(member.of);
+            add_group(patches, *member.group);
+            const std::size_t before = next.size();
+            grid.add_quarters(member.square, parts_.back().number, next);
+            parts_.back().parts = {below + before, below + next.size()};
+            parts_.back().has_parts = true;
+        }
+        level = std::move(next);
+    }
+    by_chart_.back().patches = parts_.size();
+    for (const std::size_t cell : of_cells)
         add_patches(patches, cell);
+}
+
+void LinkedCells::add_group(const Patches& patches, const CellGroup& group) {
+    const auto number = static_cast<std::uint32_t>(patches.cells().size() + groups_.size());
+    Numbers numbers;
+    numbers.position = group.position;
+    numbers.normal = group.normal;
+    numbers.spread = group.spread;
+    numbers.reach_m = group.half_diagonal_m;
+    numbers.area_m2 = group.seen_m2;
+    if (group.spread <= most_spread) numbers.least_m = least_of_group * group.half_diagonal_m;
+    numbers.least_for_coarse_m = least_for_coarse * group.half_diagonal_m;
+    add(number, numbers);
+    groups_.push_back(group);
 }
 
 void LinkedCells::add_cell(const Patches& patches, std::uint32_t number) {
@@ -54,9 +209,11 @@ void LinkedCells::add_cell(const Patches& patches, std::uint32_t number) {
     numbers.normal = cell.normal;
     numbers.spread = cell.spread;
     numbers.reach_m = is_flat ? cell.half_diagonal_m : 0.0;
-    numbers.area_m2 = patches.cell_area_m2(number);
-    if (!cell.covered && !cell.is_uneven() && cell.spread <= most_spread)
+    numbers.area_m2 = is_flat ? patches.cell_area_m2(number) : glm::length(seen_area_m2(patches, number));
+    if (!cell.covered && !cell.is_uneven() && cell.spread <= most_spread) {
         numbers.least_m = (is_flat ? least_of_flat : least_of_round) * cell.half_diagonal_m;
+        numbers.least_for_coarse_m = (is_flat ? least_of_flat : least_for_coarse) * cell.half_diagonal_m;
+    }
     add(number, numbers);
 }
 
@@ -68,19 +225,19 @@ void LinkedCells::add_patches(const Patches& patches, std::size_t cell) {
     const bool is_long = std::any_of(of_cell.begin(), of_cell.end(),
                                      [&](std::uint32_t patch) { return patches.half_length(patch) > 0.0; });
     if (of.covered || of.is_uneven() || of.spread > most_spread || is_long) {
-        parts_[cell].patches = {single_patches_.size(), single_patches_.size() + of_cell.size()};
+        parts_[cell].parts = {single_patches_.size(), single_patches_.size() + of_cell.size()};
         add_single(patches, of, of_cell);
         return;
     }
     parts_[cell].has_parts = true;
-    parts_[cell].patches = {parts_.size(), parts_.size() + of_cell.size()};
+    parts_[cell].parts = {parts_.size(), parts_.size() + of_cell.size()};
     for (const std::uint32_t patch : of_cell) {
         Numbers numbers;
         numbers.position = patches.middle(patch);
         numbers.normal = patches.normal(patch);
         numbers.spread = 0.5 * of.spread;
         numbers.area_m2 = patches.area_m2(patch);
-        numbers.least_m = least_of_patch * patches.half_across(patch);
+        numbers.least_m = numbers.least_for_coarse_m = least_of_patch * patches.half_across(patch);
         add(patch, numbers);
     }
 }
@@ -122,10 +279,11 @@ void LinkedCells::add(std::uint32_t number, const Numbers& numbers) {
     reach_.push_back(static_cast<float>(numbers.reach_m));
     area_m2_.push_back(static_cast<float>(numbers.area_m2));
     least2_.push_back(static_cast<float>(numbers.least_m * numbers.least_m));
+    least2_for_coarse_.push_back(static_cast<float>(numbers.least_for_coarse_m * numbers.least_for_coarse_m));
 }
 
-void LinkedCells::find_links(const transport::RayKernels& kernels, const Frame& place, const OfChart& chart,
-                             const Range& parts, CellLinks& to) const {
+void LinkedCells::find_links(const transport::RayKernels& kernels, const Frame& place, bool is_coarse,
+                             const OfChart& chart, const Range& parts, CellLinks& to) const {
     transport::RayCells to_parts;
     transport::RayLinks links;
     to_parts.count = parts.last - parts.first;
@@ -140,7 +298,7 @@ void LinkedCells::find_links(const transport::RayKernels& kernels, const Frame& 
     to_parts.spread = spread_.data() + parts.first;
     to_parts.reach = reach_.data() + parts.first;
     to_parts.area_m2 = area_m2_.data() + parts.first;
-    to_parts.least2 = least2_.data() + parts.first;
+    to_parts.least2 = (is_coarse ? least2_for_coarse_ : least2_).data() + parts.first;
     float from[3];
     put(from, place.origin - chart.anchor);
     transport::RayFrame frame;

@@ -122,9 +122,11 @@ public:
     // Of what a patch sends, the share that rays carry, above 0; links carry the rest. 1 for all that is not close to a
     // light.
     float by_rays(std::uint32_t patch) const { return by_rays_[patch]; }
-    // What rays carry of a patch, or links of a cell (from the number of patches on).
+    // What rays carry of a patch, or links of a cell (from the number of patches on) or a group.
     float carried(std::uint32_t sender) const {
-        return sender < by_rays_.size() ? by_rays_[sender] : by_links_[sender - by_rays_.size()];
+        if (sender < by_rays_.size()) return by_rays_[sender];
+        const std::size_t number = sender - by_rays_.size();
+        return number < by_links_.size() ? by_links_[number] : 1.0F;
     }
     std::array<glm::dvec3, 4> corners(std::uint32_t patch) const; // of a flat one, one after the other
     // Of a patch along the straight part of a thin solid that is much longer than wide, half of its length; else 0.

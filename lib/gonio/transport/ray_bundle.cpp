@@ -58,7 +58,7 @@ public:
           kernels_(transport::ray_kernels(set)),
           patches_(patches),
           linked_(patches.linked()),
-          by_link_(patches.cells().size(), By::rays),
+          by_link_(patches.cells().size() + linked_.groups().size(), By::rays),
           has_link_(linked_.empty() ? 0 : patches.count(), 0),
           parts_(set) {}
 
@@ -93,11 +93,15 @@ public:
     }
 
 private:
-    enum class By : unsigned char { rays, cell, patches };
+    enum class By : unsigned char { rays, one, parts };
 
     bool is_linked(std::uint32_t patch) const {
-        const By by = by_link_[patches_.cell_of(patch)];
-        return by == By::cell || (by == By::patches && has_link_[patch] != 0);
+        const std::uint32_t cell = patches_.cell_of(patch);
+        if (by_link_[cell] == By::parts) return has_link_[patch] != 0;
+        std::uint32_t number = cell;
+        while (number != LinkedCells::no_group && by_link_[number] != By::one)
+            number = linked_.group_of(number);
+        return number != LinkedCells::no_group;
     }
     // The squared distance from the place to the nearest point of the length of a patch.
     double distance2_of(const Receivers::Place& place, const LinkedPatch& patch, std::uint32_t chart) const {
@@ -171,36 +175,46 @@ private:
         return sum;
     }
 
-    // A chart by cells, and those that are too close by their patches.
+    // A chart by groups, and those that are too close by their cells and these by their patches.
     void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::OfChart& chart) {
-        const auto count = static_cast<std::uint32_t>(patches_.count());
-        divided_.clear();
-        linked_.find_links(kernels_, frame, chart, chart.cells, cell_links_);
-        for (std::size_t i = chart.cells.first; i < chart.cells.last; ++i) {
-            const float share = cell_links_.share[i - chart.cells.first];
-            if (share == 0.0F) continue;
-            const LinkedCells::Part& cell = linked_.part(i);
-            if (share != transport::RayLinks::divided) {
-                by_link_[cell.number] = By::cell;
-                add(count + cell.number, i - chart.cells.first);
-            } else if (cell.has_parts) {
-                by_link_[cell.number] = By::patches;
-                divided_.push_back(cell.patches);
-            } else {
-                link(place, frame, cell);
+        level_.assign(1, chart.whole);
+        while (!level_.empty()) {
+            divided_.clear();
+            for (std::size_t first = 0; first < level_.size();) {
+                // Those that lie close together are computed at once, with what is between.
+                constexpr std::size_t close = 32;
+                std::size_t last = first + 1;
+                while (last < level_.size() && level_[last].first - level_[last - 1].last < close)
+                    ++last;
+                const LinkedCells::Range all{level_[first].first, level_[last - 1].last};
+                linked_.find_links(kernels_, frame, place.is_coarse, chart, all, cell_links_);
+                for (; first < last; ++first)
+                    for (std::size_t i = level_[first].first; i < level_[first].last; ++i)
+                        link(place, frame, chart, i, i - all.first);
             }
+            std::swap(level_, divided_);
         }
-        if (divided_.empty()) return;
-        const LinkedCells::Range all{divided_.front().first, divided_.back().last};
-        linked_.find_links(kernels_, frame, chart, all, cell_links_);
-        for (const LinkedCells::Range& patches : divided_)
-            for (std::size_t i = patches.first; i < patches.last; ++i) {
-                const float share = cell_links_.share[i - all.first];
-                const std::uint32_t patch = linked_.part(i).number;
-                const bool is_whole = share != 0.0F && share != transport::RayLinks::divided;
-                has_link_[patch] = is_whole ? 1 : 0;
-                if (is_whole) add(patch, i - all.first);
-            }
+    }
+
+    // A part of a chart, which is at this place of the links.
+    void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::OfChart& chart, std::size_t index,
+              std::size_t at) {
+        const float share = cell_links_.share[at];
+        const LinkedCells::Part& part = linked_.part(index);
+        if (index >= chart.patches) {
+            const bool is_whole = share != 0.0F && share != transport::RayLinks::divided;
+            has_link_[part.number] = is_whole ? 1 : 0;
+            if (is_whole) add(part.number, at);
+        } else if (share == transport::RayLinks::divided) {
+            by_link_[part.number] = By::parts;
+            if (part.has_parts)
+                divided_.push_back(part.parts);
+            else
+                link(place, frame, part);
+        } else if (share != 0.0F) {
+            by_link_[part.number] = By::one;
+            add(static_cast<std::uint32_t>(patches_.count()) + part.number, at);
+        }
     }
 
     // What is at this place of the links, if nothing stands between.
@@ -217,11 +231,14 @@ private:
     void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::Part& part) {
         const std::uint32_t cell = part.number;
         const Cell& sender = patches_.cells()[cell];
-        if (sender.covered) return;
+        if (sender.covered) {
+            by_link_[cell] = By::rays;
+            return;
+        }
         const std::span<const LinkedPatch> patches = linked_.single_patches(part);
         const Way way(place, sender.linked_middle, sender.normal);
         if (sender.is_uneven() && way.is_far(sender.half_diagonal_m, LinkedCells::least_of_flat)) {
-            by_link_[cell] = By::cell;
+            by_link_[cell] = By::one;
             const double area_m2 = patches_.cell_area_m2(cell);
             const Along along(way);
             const double share = form_factor(way, along, facing(way, along, sender.spread), area_m2);
@@ -233,7 +250,6 @@ private:
                 consider(frame.to_local(way.to), share, number, slopes);
             return;
         }
-        by_link_[cell] = By::patches;
         for (const LinkedPatch& patch : patches) {
             std::uint8_t& has_link = has_link_[patch.number];
             has_link = 1;
@@ -331,8 +347,9 @@ private:
     const LinkedCells& linked_;
     // For the current place:
     CellLinks cell_links_;                    // of parts of one chart
-    std::vector<LinkedCells::Range> divided_; // the patches of cells
-    std::vector<By> by_link_;                 // by cell
+    std::vector<LinkedCells::Range> level_;   // parts to be linked
+    std::vector<LinkedCells::Range> divided_; // what those that are too close are divided into
+    std::vector<By> by_link_;                 // by cell and then by group
     std::vector<std::uint8_t> has_link_;      // by patch, of cells that are linked by patches
     struct Possible {                         // a link, or a part of one, if nothing stands between
         std::uint32_t sender;
@@ -527,9 +544,11 @@ SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {
     return made;
 }
 
-std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches) {
+std::vector<Sent> by_sender(const Patches& patches, std::span<const glm::dvec3> of_patches) {
     const std::size_t count = patches.count();
+    const std::vector<CellGroup>& groups = patches.linked().groups();
     std::vector<Sent> sent(count + patches.cells().size());
+    sent.reserve(sent.size() + groups.size());
     std::vector<glm::dvec3> of_cells(patches.cells().size(), glm::dvec3(0.0));
     for (std::uint32_t patch = 0; patch < count; ++patch) {
         const double by_rays = patches.by_rays(patch);
@@ -541,6 +560,12 @@ std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3>
     }
     for (std::size_t cell = 0; cell < of_cells.size(); ++cell)
         sent[count + cell] = Sent(of_cells[cell]);
+    for (const CellGroup& group : groups) {
+        glm::dvec3 sum(0.0);
+        for (const std::uint32_t cell : group.cells)
+            sum += patches.cell_area_m2(cell) * of_cells[cell];
+        sent.emplace_back(sum / group.area_m2);
+    }
     return sent;
 }
 

@@ -73,7 +73,8 @@ struct SentSlopes {
 };
 SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent);
 
-// A patch, or (from the number of patches on) a cell, and the illuminance at the receiver for what it sends.
+// A patch, or (from the number of patches on) a cell or (after those) a group of cells, and the illuminance at the
+// receiver for what it sends.
 struct Link {
     std::uint32_t sender = 0;
     float share = 0.0F; // cosθ cosθ' A/(π d²)
@@ -95,6 +96,7 @@ struct Receivers {
         bool left_out = false;
         std::size_t ray_factor = 1; // times the rays of others
         bool is_fine = false;       // asks by many rays which parts of bright patches are seen
+        bool is_coarse = false;     // what it gathers need not be exact: links stand for more of each solid
     };
     std::vector<Place> places;
 };
@@ -106,13 +108,13 @@ public:
     Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
             unsigned threads, simd::InstructionSet set);
 
-    // Of senders that are patches, and then cells, the sum of sent · share; by every `step`th ray.
+    // The sum of sent · share, by sender; by every `step`th ray.
     glm::dvec3 gathered(std::size_t place, std::span<const Sent> sent, std::size_t step = 1) const;
 
     // What slopes add to it.
     glm::dvec3 gathered(std::size_t place, const SentSlopes& slopes) const;
 
-    // The sum of the shares of all patches and cells of a chart.
+    // The sum of the shares of all senders of a chart.
     double of_chart(std::size_t place, std::size_t chart) const {
         return static_cast<double>(of_charts_[place * charts_ + chart]);
     }
@@ -162,7 +164,8 @@ private:
     std::vector<std::uint32_t> first_link_slope_; // the same
 };
 
-// What each patch sends, followed by the mean of each cell, in the order that senders are numbered.
-std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches);
+// What each patch sends, followed by the mean of each cell and of each group of cells, in the order that senders are
+// numbered.
+std::vector<Sent> by_sender(const Patches& patches, std::span<const glm::dvec3> of_patches);
 
 } // namespace gonio::detail

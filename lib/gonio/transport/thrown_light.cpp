@@ -106,7 +106,8 @@ ThrownLight::ThrownLight(const Patches& patches, std::span<const Light> lights, 
         reaches.push_back(reach_of(lights[i], true));
     const auto count = static_cast<std::uint32_t>(patches.count());
     const std::vector<Cell>& cells = patches.cells();
-    index_.assign(count + cells.size(), nothing);
+    const std::vector<CellGroup>& groups = patches.linked().groups();
+    index_.assign(count + cells.size() + groups.size(), nothing);
     const auto add = [&](std::uint32_t number, std::size_t chart_index, const glm::dvec3& position,
                          const glm::dvec3& normal, double half_m, const auto& lx_of) {
         const Chart& chart = patches.charts().all()[chart_index];
@@ -141,15 +142,30 @@ ThrownLight::ThrownLight(const Patches& patches, std::span<const Light> lights, 
         if (lobes_[patches.surface_of(i)])
             add(i, patches.chart_of(i), patches.middle(i), patches.normal(i), patches.half_diagonal(i),
                 [&](const ThrowingLight& light) { return glm::dvec3(light.lx[i]); });
+    const auto sum_over = [&](std::uint32_t cell, const ThrowingLight& light) {
+        glm::dvec3 sum(0.0);
+        for (const std::uint32_t patch : patches.patches_of(cell))
+            sum += patches.area_m2(patch) * glm::dvec3(light.lx[patch]);
+        return sum;
+    };
+    const auto throws_any = [&](std::uint32_t chart) {
+        return lobes_[patches.charts().all()[chart].surface].has_value();
+    };
     for (const std::uint32_t i : patches.linked_cells())
-        if (lobes_[patches.charts().all()[cells[i].chart].surface] && patches.cell_area_m2(i) > 0.0)
+        if (throws_any(cells[i].chart) && patches.cell_area_m2(i) > 0.0)
             add(count + i, cells[i].chart, cells[i].position, cells[i].normal, cells[i].half_diagonal_m,
-                [&](const ThrowingLight& light) {
-                    glm::dvec3 sum(0.0);
-                    for (const std::uint32_t patch : patches.patches_of(i))
-                        sum += patches.area_m2(patch) * glm::dvec3(light.lx[patch]);
-                    return sum / patches.cell_area_m2(i);
-                });
+                [&](const ThrowingLight& light) { return sum_over(i, light) / patches.cell_area_m2(i); });
+    for (std::uint32_t i = 0; i < groups.size(); ++i) {
+        const CellGroup& group = groups[i];
+        if (!throws_any(group.chart)) continue;
+        add(count + static_cast<std::uint32_t>(cells.size()) + i, group.chart, group.position, group.normal,
+            group.half_diagonal_m, [&](const ThrowingLight& light) {
+                glm::dvec3 sum(0.0);
+                for (const std::uint32_t cell : group.cells)
+                    sum += sum_over(cell, light);
+                return sum / group.area_m2;
+            });
+    }
 }
 
 ThrownLight ThrownLight::times(const glm::vec3& rgb) const {

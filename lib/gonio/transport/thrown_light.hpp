@@ -71,7 +71,7 @@ public:
     std::size_t memory() const;
 
 private:
-    // Of a patch or, from the number of patches on, of a cell.
+    // Of a patch, a cell or a group of cells.
     struct Sender {
         glm::vec3 normal{0.0F};
         glm::vec3 position{0.0F};
@@ -89,7 +89,7 @@ private:
     static constexpr std::uint32_t nothing = 0xffffffffU;
     std::size_t lights_ = 0; // that are not dark
     std::vector<std::optional<ThrowingLobe>> lobes_;
-    std::vector<std::uint32_t> index_; // by patch and then by cell, in senders_
+    std::vector<std::uint32_t> index_; // by number of the sender, in senders_
     std::vector<Sender> senders_;
     std::vector<Share> shares_;
 };

@@ -7,6 +7,8 @@
 #include <gonio/transport/ray_bundle.hpp>
 #include <gonio/transport/ray_caster.hpp>
 
+#include "seen_places.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -24,26 +26,8 @@
 namespace gonio::detail {
 namespace {
 
-struct Place {
-    Frame frame;
-    std::size_t own;
-};
-
-// On the stage's surfaces, wherever rays from its camera end.
-std::vector<Place> places_in(const Stage& stage) {
-    const RayCaster caster(stage);
-    std::vector<Place> places;
-    const glm::dvec3 forward = glm::normalize(stage.camera.target - stage.camera.position);
-    for (const glm::dvec3& local : cosine_directions(40)) {
-        const glm::dvec3 direction = frame_about(glm::dvec3(0.0), forward).to_world(local);
-        const std::optional<Hit> hit = first_hit(stage, {stage.camera.position, direction});
-        if (!hit) continue;
-        const bool is_solid = !is_sheet(stage.surfaces[hit->surface].geometry);
-        places.push_back(
-            {frame_about(hit->position + 1e-4 * hit->normal, hit->normal), is_solid ? hit->surface : RayEnd::nothing});
-    }
-    return places;
-}
+using test::Place;
+using test::places_in;
 
 // A stage with solids of every kind, if there are any on it or beside it.
 Stage crowded(const char* name) {
@@ -175,53 +159,6 @@ TEST(ScatteredCaster, MeetsWhatRaysInDoubleMeet) {
             }
             EXPECT_LE(static_cast<double>(others), 5e-4 * static_cast<double>(rays))
                 << name << ' ' << simd::to_text(set) << ' ' << others << " of " << rays;
-        }
-    }
-}
-
-// What kernels say of the cells of small solids and of their patches, against the same in double.
-TEST(LinkedCells, AreLinkedAsTheirFormFactorSays) {
-    for (const char* name : {"street", "room", "spheres"}) {
-        const Stage stage = make_stage(name).value();
-        const Patches patches(stage, interest_of(stage, {}), {}, 2000.0, 1);
-        const LinkedCells& linked = patches.linked();
-        ASSERT_FALSE(linked.empty());
-        for (const simd::InstructionSet set : simd::available_sets()) {
-            std::size_t whole = 0;
-            std::size_t divided = 0;
-            CellLinks links;
-            for (const Place& place : places_in(stage))
-                for (const LinkedCells::OfChart& chart : linked.by_chart()) {
-                    const bool is_flat = patches.charts().all()[chart.chart].kind == Chart::Kind::flat;
-                    linked.find_links(transport::ray_kernels(set), place.frame, chart, chart.cells, links);
-                    for (std::size_t i = chart.cells.first; i < chart.cells.last; ++i) {
-                        const std::uint32_t number = linked.part(i).number;
-                        const Cell& cell = patches.cells()[number];
-                        const float share = links.share[i - chart.cells.first];
-                        const glm::dvec3 to = cell.position - place.frame.origin;
-                        const double distance = glm::length(to);
-                        const double here = glm::dot(place.frame.z, to) / distance;
-                        const double there = -glm::dot(cell.normal, to) / distance;
-                        // Away from where floats decide otherwise, and from cells that are turned away in part.
-                        if (here < 0.01 || there < cell.spread + 0.01 || cell.covered) continue;
-                        const double least = (is_flat ? 8.0 : 24.0) * cell.half_diagonal_m;
-                        if (cell.is_uneven() || cell.spread > 0.4 || distance < 0.999 * least) {
-                            ++divided;
-                            EXPECT_EQ(share, transport::RayLinks::divided);
-                        } else if (distance > 1.001 * least) {
-                            ++whole;
-                            const double factor =
-                                here * there * patches.cell_area_m2(number) / (std::numbers::pi * distance * distance);
-                            EXPECT_NEAR(share, factor, 2e-5 * factor);
-                            const glm::dvec3 towards(links.towards[0][i - chart.cells.first],
-                                                     links.towards[1][i - chart.cells.first],
-                                                     links.towards[2][i - chart.cells.first]);
-                            EXPECT_LE(glm::length(towards - place.frame.to_local(to / distance)), 2e-6);
-                        }
-                    }
-                }
-            EXPECT_GT(whole, 50U) << name;
-            EXPECT_GT(divided, 50U) << name;
         }
     }
 }

@@ -65,6 +65,20 @@ std::vector<Spot> spots_of_upright(const Capsule& capsule, int around, int along
     return spots;
 }
 
+std::vector<Spot> spots_of(const Ball& ball, int around) {
+    std::vector<Spot> spots;
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < around; ++j) {
+            const double z = 2.0 * (j + 0.5) / around - 1.0;
+            const double azimuth = 2.0 * std::numbers::pi * (i + 0.5) / around;
+            const double r = std::sqrt(1.0 - z * z);
+            const Vec normal(r * std::cos(azimuth), r * std::sin(azimuth), z);
+            spots.push_back({ball.center + ball.radius * normal, normal,
+                             4.0 * std::numbers::pi * ball.radius * ball.radius / (around * around)});
+        }
+    return spots;
+}
+
 // On an endless black floor that the camera sees some metres of.
 Stage stage_with(const Primitive& thing, double albedo) {
     Stage stage;
@@ -111,6 +125,20 @@ TEST(Links, OfAThinPole) {
     for (const Vec& at : {Vec(0.1, 0.7, 0.0), Vec(0.0, 0.4, 0.0), Vec(-0.5, -0.5, 0.0), Vec(1.0, -3.0, 0.0)}) {
         const double expected = reflected_lx(spots, albedo, light, at, up);
         EXPECT_NEAR(indirect.at(at, up).x / expected, 1.0, 0.015) << at.x << ' ' << at.y;
+    }
+}
+
+// A ball, linked by its patches where it is close and by groups of its cells where it is far.
+TEST(Links, OfASmallBall) {
+    constexpr double albedo = 0.5;
+    const Ball ball{{0.0, 1.0, 0.5}, 0.15};
+    const Light light = bulb({0.5, 0.5, 0.9}, 100.0);
+    const Interreflection indirect = once(stage_with(ball, albedo), light);
+    const std::vector<Spot> spots = spots_of(ball, 400);
+    for (const Vec& at :
+         {Vec(0.0, 0.8, 0.0), Vec(0.5, 0.4, 0.0), Vec(0.5, -0.4, 0.0), Vec(1.0, -2.0, 0.0), Vec(2.0, -3.0, 0.0)}) {
+        const double expected = reflected_lx(spots, albedo, light, at, up);
+        EXPECT_NEAR(indirect.at(at, up).x / expected, 1.0, 0.02) << at.x << ' ' << at.y;
     }
 }
 
