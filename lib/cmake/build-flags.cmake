@@ -6,6 +6,7 @@ target_compile_options(gonio-build-flags INTERFACE
     -ffp-contract=off        # a*b+c rounds the same on every machine; fma is called by name
     -fno-math-errno          # lets sqrt become one instruction; nobody reads errno
     -fvisibility=hidden -fvisibility-inlines-hidden
+    -ffunction-sections # the tool leaves out what it does not call (--gc-sections)
     # g++ 12 at -O2 drops the rounding in double->float->double pairs (tests/unit/compiler_guard.cpp)
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
     # the vector types of simd/ never cross a function that is not inlined or of their own instruction set
