@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace gonio::profile_detail {
@@ -74,13 +73,20 @@ Location Report::locate(std::size_t offset) const {
 }
 
 FieldPlaces Report::places() const {
+    // In the order of the file, by insertion: fields are nearly in that order.
     std::array<std::size_t, profile_field_count> order{};
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return marks_[a] < marks_[b]; });
+    std::size_t count = 0;
+    for (std::size_t field = 0; field < profile_field_count; ++field) {
+        if (marks_[field] == no_place) continue;
+        std::size_t at = count++;
+        for (; at > 0 && marks_[order[at - 1]] > marks_[field]; --at)
+            order[at] = order[at - 1];
+        order[at] = field;
+    }
     FieldPlaces places;
     LineCounter lines(bytes_);
-    for (const std::size_t field : order)
-        if (marks_[field] != no_place) places[static_cast<ProfileField>(field)] = lines.at(marks_[field]);
+    for (std::size_t i = 0; i < count; ++i)
+        places[static_cast<ProfileField>(order[i])] = lines.at(marks_[order[i]]);
     return places;
 }
 

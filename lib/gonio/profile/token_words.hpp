@@ -27,9 +27,9 @@ struct ByteMasks {
 };
 
 // Of convert_long(), which divides a number of two doubles by a power of ten that is one (T. Dekker, A floating-point
-// technique for extending the available precision, 1971). The quotient is the sum of a double and a rest, which is known
-// to a few of its last bits. Where a rest that is larger or smaller by this share of
-// itself would give another sum, the number is left to the method that decides by integers.
+// technique for extending the available precision, 1971). The quotient is the sum of a double and a rest, which is
+// known to a few of its last bits. Where a rest that is larger or smaller by this share of itself would give another
+// sum, the number is left to the method that decides by integers.
 inline constexpr double quotient_error = 0x1p-48;
 constexpr double exact_powers_of_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                             1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};

@@ -20,9 +20,9 @@ namespace gonio {
 
 namespace {
 
+using detail::by_sender;
 using detail::ExchangeGeometry;
 using detail::Patches;
-using detail::by_sender;
 
 Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo) {
     const Patches& patches = geometry.patches();

@@ -181,7 +181,7 @@ private:
         while (!level_.empty()) {
             divided_.clear();
             for (std::size_t first = 0; first < level_.size();) {
-                // Those that lie close together are computed at once, with what is between.
+                // Those that follow each other closely are computed at once, with what is between.
                 constexpr std::size_t close = 32;
                 std::size_t last = first + 1;
                 while (last < level_.size() && level_[last].first - level_[last - 1].last < close)
