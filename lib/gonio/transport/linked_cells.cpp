@@ -16,6 +16,9 @@ namespace gonio::detail {
 namespace {
 
 constexpr std::uint32_t widest_group = 8; // cells along a side
+// Kernels compute this many parts at once, or a divisor of it. What they compute behind the last one means nothing, but
+// parts of a pack take longer than a whole one.
+constexpr std::size_t whole_packs = 16;
 
 // Cells of a chart that lie in a square, of which the chart's ends may cut something off.
 struct Square {
@@ -132,6 +135,9 @@ LinkedCells::LinkedCells(const Patches& patches)
         add_chart(patches, std::span(cells).subspan(first, last - first));
         first = last;
     }
+    for (std::vector<float>* const array : {&position_[0], &position_[1], &position_[2], &normal_[0], &normal_[1],
+                                            &normal_[2], &spread_, &reach_, &area_m2_, &least2_, &least2_for_coarse_})
+        array->resize(array->size() + whole_packs - 1);
 }
 
 // A part as kernels read it.
@@ -286,7 +292,7 @@ void LinkedCells::find_links(const transport::RayKernels& kernels, const Frame& 
                              const OfChart& chart, const Range& parts, CellLinks& to) const {
     transport::RayCells to_parts;
     transport::RayLinks links;
-    to_parts.count = parts.last - parts.first;
+    to_parts.count = (parts.last - parts.first + whole_packs - 1) / whole_packs * whole_packs;
     to.share.resize(to_parts.count);
     links.share = to.share.data();
     for (std::size_t axis = 0; axis < 3; ++axis) {

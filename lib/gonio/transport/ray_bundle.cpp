@@ -188,9 +188,11 @@ private:
                     ++last;
                 const LinkedCells::Range all{level_[first].first, level_[last - 1].last};
                 linked_.find_links(kernels_, frame, place.is_coarse, chart, all, cell_links_);
-                for (; first < last; ++first)
-                    for (std::size_t i = level_[first].first; i < level_[first].last; ++i)
+                for (; first < last; ++first) {
+                    const LinkedCells::Range range = level_[first];
+                    for (std::size_t i = range.first; i < range.last; ++i)
                         link(place, frame, chart, i, i - all.first);
+                }
             }
             std::swap(level_, divided_);
         }
@@ -200,21 +202,25 @@ private:
     void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::OfChart& chart, std::size_t index,
               std::size_t at) {
         const float share = cell_links_.share[at];
-        const LinkedCells::Part& part = linked_.part(index);
         if (index >= chart.patches) {
+            const std::uint32_t patch = linked_.part(index).number;
             const bool is_whole = share != 0.0F && share != transport::RayLinks::divided;
-            has_link_[part.number] = is_whole ? 1 : 0;
-            if (is_whole) add(part.number, at);
-        } else if (share == transport::RayLinks::divided) {
-            by_link_[part.number] = By::parts;
-            if (part.has_parts)
-                divided_.push_back(part.parts);
-            else
-                link(place, frame, part);
-        } else if (share != 0.0F) {
+            has_link_[patch] = is_whole ? 1 : 0;
+            if (is_whole) add(patch, at);
+            return;
+        }
+        if (share == 0.0F) return;
+        const LinkedCells::Part& part = linked_.part(index);
+        if (share != transport::RayLinks::divided) {
             by_link_[part.number] = By::one;
             add(static_cast<std::uint32_t>(patches_.count()) + part.number, at);
+            return;
         }
+        by_link_[part.number] = By::parts;
+        if (part.has_parts)
+            divided_.push_back(part.parts);
+        else
+            link(place, frame, part);
     }
 
     // What is at this place of the links, if nothing stands between.
