@@ -66,17 +66,6 @@ glm::dvec3 DirectionArrays::of(std::size_t index) const {
     return glm::normalize(glm::dvec3(axes[0][index], axes[1][index], axes[2][index]));
 }
 
-void DirectionArrays::normalize() {
-    auto& [x, y, z] = axes;
-    for (std::size_t i = 0; i < size(); ++i) {
-        const double length2 = double{x[i]} * double{x[i]} + double{y[i]} * double{y[i]} + double{z[i]} * double{z[i]};
-        const auto per_length = static_cast<float>(1.0 / std::sqrt(length2));
-        x[i] *= per_length;
-        y[i] *= per_length;
-        z[i] *= per_length;
-    }
-}
-
 BundleCaster::BundleCaster(const Stage& stage, const Patches& patches, simd::InstructionSet set)
     : stage_(stage), patches_(patches), kernels_(transport::ray_kernels(set)) {}
 
@@ -255,8 +244,7 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<PatchPoint>
     }
 }
 
-void BundleCaster::cast_toward(DirectionArrays& directions, std::span<std::uint32_t> charts) {
-    directions.normalize();
+void BundleCaster::cast_toward(const DirectionArrays& directions, std::span<std::uint32_t> charts) {
     run(directions, {nearer_.rectangles.data(), nearer_.rectangles.size(), nearer_.spheres.data(),
                      nearer_.spheres.size(), nearer_.capsules.data(), nearer_.capsules.size()});
     for (std::size_t i = 0; i < charts.size(); ++i)

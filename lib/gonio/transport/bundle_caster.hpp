@@ -34,7 +34,6 @@ struct DirectionArrays {
     void clear();
     std::size_t size() const { return axes[0].size(); }
     glm::dvec3 of(std::size_t index) const;
-    void normalize();
 
     std::array<std::vector<float>, 3> axes;
 };
@@ -53,8 +52,8 @@ public:
     // Finds what rays towards points of a chart that are turned to where they start may meet, and whether that is
     // anything but the chart.
     bool find_nearer(std::uint32_t chart);
-    // Of such rays, the chart that each meets first, or `no_patch`. Makes unit vectors of the directions.
-    void cast_toward(DirectionArrays& directions, std::span<std::uint32_t> charts);
+    // Of such rays, the chart that each meets first, or `no_patch`.
+    void cast_toward(const DirectionArrays& directions, std::span<std::uint32_t> charts);
 
 private:
     struct Target {

@@ -344,7 +344,7 @@ private:
         const auto of_link = static_cast<float>(share);
         if (!(of_link > 0.0F)) return;
         possible_.push_back({number, of_link, static_cast<float>(moments.x), static_cast<float>(moments.y)});
-        if (may_be_hidden_) towards_.add(towards);
+        if (may_be_hidden_) towards_.add(glm::normalize(towards));
     }
 
     BundleCaster caster_;
@@ -365,7 +365,7 @@ private:
     std::vector<Possible> possible_;    // of one chart
     bool may_be_hidden_ = false;        // something else may be met before the chart
     PartLinks parts_;                   // of flat patches of one chart
-    DirectionArrays towards_;           // of possible links that may be hidden, of any length
+    DirectionArrays towards_;           // of possible links that may be hidden
     std::vector<std::uint32_t> charts_; // which rays meet
     std::vector<std::uint32_t> count_;  // of rays, by chart
 };
@@ -440,18 +440,33 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
 
 namespace {
 
-constexpr std::size_t run = 64; // floats add up in runs that keep their digits, then doubles
+// Calls add(sum, i) for `count` indices from 0 on, and adds up the sums: floats in runs that keep their digits, then
+// doubles. Four sums take turns, since one would wait for itself.
+template<class Add>
+glm::dvec3 sum_over(std::size_t count, const Add& add) {
+    constexpr std::size_t run = 64;
+    glm::dvec3 sum(0.0);
+    for (std::size_t first = 0; first < count; first += run) {
+        const std::size_t last = std::min(first + run, count);
+        std::array<SentSum, 4> parts;
+        std::size_t i = first;
+        for (; i + parts.size() <= last; i += parts.size())
+            for (std::size_t turn = 0; turn < parts.size(); ++turn)
+                add(parts.at(turn), i + turn);
+        for (; i < last; ++i)
+            add(parts[0], i);
+        for (const SentSum& part : parts)
+            sum += part.rgb();
+    }
+    return sum;
+}
 
 template<class Add>
 glm::dvec3 mean_over(std::span<const PatchPoint> ends, std::size_t step, const Add& add) {
-    glm::dvec3 sum(0.0);
-    for (std::size_t first = 0; first < ends.size(); first += run * step) {
-        SentSum part;
-        for (std::size_t i = first; i < std::min(first + run * step, ends.size()); i += step)
-            if (ends[i].is_on_patch()) add(part, ends[i]);
-        sum += part.rgb();
-    }
     const std::size_t used = (ends.size() + step - 1) / step;
+    const glm::dvec3 sum = sum_over(used, [&](SentSum& part, std::size_t i) {
+        if (ends[i * step].is_on_patch()) add(part, ends[i * step]);
+    });
     return sum / static_cast<double>(used);
 }
 
@@ -460,9 +475,9 @@ glm::dvec3 mean_over(std::span<const PatchPoint> ends, std::size_t step, const A
 glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent, std::size_t step) const {
     const glm::dvec3 by_rays =
         mean_over(ends(place), step, [&](SentSum& sum, const PatchPoint& end) { sum.add(sent[end.patch()]); });
-    glm::dvec3 by_links(0.0);
-    for (const Link& link : links(place))
-        by_links += static_cast<double>(link.share) * sent[link.sender].rgb();
+    const std::span<const Link> of_place = links(place);
+    const glm::dvec3 by_links = sum_over(
+        of_place.size(), [&](SentSum& sum, std::size_t i) { sum.add(of_place[i].share, sent[of_place[i].sender]); });
     return by_rays + by_links;
 }
 
@@ -473,13 +488,13 @@ glm::dvec3 Bundles::gathered(std::size_t place, const SentSlopes& slopes) const 
         sum.add(end.u(), slope.along_u);
         sum.add(end.v(), slope.along_v);
     });
-    SentSum by_links;
-    for (const LinkSlope& link : link_slopes(place)) {
-        const SentSlope& slope = slopes.of_links(link.sender);
-        by_links.add(link.along_u, slope.along_u);
-        by_links.add(link.along_v, slope.along_v);
-    }
-    return by_rays + by_links.rgb();
+    const std::span<const LinkSlope> of_place = link_slopes(place);
+    const glm::dvec3 by_links = sum_over(of_place.size(), [&](SentSum& sum, std::size_t i) {
+        const SentSlope& slope = slopes.of_links(of_place[i].sender);
+        sum.add(of_place[i].along_u, slope.along_u);
+        sum.add(of_place[i].along_v, slope.along_v);
+    });
+    return by_rays + by_links;
 }
 
 std::size_t Bundles::memory() const {
