@@ -24,8 +24,11 @@ constexpr bool ends_number(char c) {
 // sign, 19 digits, a point, and three words of digits after it: 45 bytes.
 inline constexpr std::ptrdiff_t decimal_lookahead = 48;
 
-inline constexpr std::array<double, 20> decimal_powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
-                                                       1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
+// All powers of ten that a double holds exactly. Kernels name theirs after their instruction set: no two share a
+// symbol.
+template<class Tag = void>
+inline constexpr double decimal_powers[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 // Eight bytes of text as a word, the first in its lowest byte, each digit converted to its value.
 inline std::uint64_t digits_at(const char* p) {
@@ -129,7 +132,7 @@ inline double divide_exactly(std::uint64_t w, int k) {
     }
     if (whole + decimals == 0 || significant + decimals > most || !ends_number(*p)) return nullptr;
     constexpr std::uint64_t exact = std::uint64_t{1} << 53U;
-    magnitude = w < exact ? static_cast<double>(w) / decimal_powers[static_cast<std::size_t>(decimals)]
+    magnitude = w < exact ? static_cast<double>(w) / decimal_powers<>[static_cast<std::size_t>(decimals)]
                           : divide_exactly(w, decimals);
     return p;
 }
@@ -153,7 +156,7 @@ inline const char* read_decimal(const char* p, const char* end, double& value) {
         const char* const behind = p + bits / 8 + (point ? 1 : 0);
         if (bits != 0 && ends_number(*behind)) {
             const std::uint64_t w = number_of_digits(joined << (64U - static_cast<unsigned>(bits)));
-            magnitude = static_cast<double>(w) / decimal_powers[static_cast<std::size_t>((bits - whole_bits) / 8)];
+            magnitude = static_cast<double>(w) / decimal_powers<>[static_cast<std::size_t>((bits - whole_bits) / 8)];
             value = negative ? -magnitude : magnitude;
             return behind;
         }

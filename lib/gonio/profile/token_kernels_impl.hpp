@@ -63,6 +63,15 @@ bool find_tokens(const char* text, const char* end, std::size_t wanted, unsigned
 // on: eight bytes lie before the text.
 inline constexpr std::uint32_t most_before = 16;
 
+// Repeats the first of `count` tokens until a pack is full.
+template<class S>
+void fill_pack(std::uint32_t* bounds, std::size_t count) {
+    for (std::size_t k = count; k < TokenWords<S>::lanes; ++k) {
+        bounds[2 * k] = bounds[0];
+        bounds[2 * k + 1] = bounds[1];
+    }
+}
+
 // Tokens of one kind, of a pack or less.
 template<class S>
 struct TokenGroup {
@@ -76,13 +85,6 @@ struct TokenGroup {
         bounds[2 * count] = all.begin(token);
         bounds[2 * count + 1] = all.end(token);
         return ++count == TokenWords<S>::lanes;
-    }
-    // Repeats the first until it is full.
-    void fill() {
-        for (std::size_t k = count; k < TokenWords<S>::lanes; ++k) {
-            bounds[2 * k] = bounds[0];
-            bounds[2 * k + 1] = bounds[1];
-        }
     }
 };
 
@@ -99,7 +101,7 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
         std::size_t converted = count; // before the first that is not
         const auto close = [&](TokenGroup<S>& group, const auto& convert) {
             if (group.count == 0) return;
-            group.fill();
+            fill_pack<S>(group.bounds, group.count);
             double some[Words::lanes];
             const unsigned bad = convert(text, group.bounds, some);
             for (std::size_t k = 0; k < group.count; ++k) {
@@ -110,22 +112,22 @@ std::size_t convert_left(const char* text, const Tokens<S>& tokens, const std::u
             }
             group.count = 0;
         };
-        TokenGroup<S> wide;
-        TokenGroup<S> long_ones;
+        TokenGroup<S> two_words;
+        TokenGroup<S> three_words;
         for (std::size_t i = 0; i < left_count && converted == count; ++i) {
             const std::uint16_t token = left[i];
             const std::uint32_t length = tokens.end(token) - tokens.begin(token);
-            // Shorter ones were refused for another reason; eight bytes lie before the text.
-            if (length > 8 && length <= 16 && tokens.end(token) >= 8) {
-                if (wide.add(token, tokens)) close(wide, Words::convert_wide);
-            } else if (length > 16 && length <= 24 && tokens.end(token) >= most_before) {
-                if (long_ones.add(token, tokens)) close(long_ones, Words::convert_long);
-            } else if (!slowly(token)) {
-                converted = token;
+            // Shorter ones were refused for another reason.
+            if (length <= 8 || length > 24 || tokens.end(token) < most_before) {
+                if (!slowly(token)) converted = token;
+            } else if (length <= 16) {
+                if (two_words.add(token, tokens)) close(two_words, Words::convert_wide);
+            } else {
+                if (three_words.add(token, tokens)) close(three_words, Words::convert_long);
             }
         }
-        close(wide, Words::convert_wide);
-        close(long_ones, Words::convert_long);
+        close(two_words, Words::convert_wide);
+        close(three_words, Words::convert_long);
         return converted;
     } else {
         for (std::size_t i = 0; i < left_count; ++i)
@@ -181,10 +183,7 @@ std::size_t convert_tokens(const char* text, Tokens<S>& tokens, std::size_t coun
             if (is_half<S>(bad)) i += convert_longer<S>(text, tokens, i + lanes, count, numbers, leave);
     }
     if (i < count) {
-        for (std::size_t k = count; k < i + lanes; ++k) {
-            tokens.bounds[2 * k] = tokens.begin(count - 1);
-            tokens.bounds[2 * k + 1] = tokens.end(count - 1);
-        }
+        fill_pack<S>(tokens.bounds + 2 * i, count - i);
         double some[lanes] = {};
         const unsigned bad = Words::convert(text, tokens.bounds + 2 * i, some);
         for (std::size_t k = i; k < count; ++k)

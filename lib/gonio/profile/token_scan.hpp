@@ -48,7 +48,7 @@ inline bool convert_three_words(const char* p, const char* end, double& value) {
     const std::uint64_t w =
         (number_of_digits(high) * eight_digits + number_of_digits(middle)) * eight_digits + number_of_digits(low);
     constexpr std::uint64_t exact = std::uint64_t{1} << 53U;
-    value = w < exact ? static_cast<double>(w) / decimal_powers[static_cast<std::size_t>(decimals)]
+    value = w < exact ? static_cast<double>(w) / decimal_powers<>[static_cast<std::size_t>(decimals)]
                       : divide_exactly(w, decimals);
     return true;
 }

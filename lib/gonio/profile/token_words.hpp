@@ -4,7 +4,9 @@
 // Everything is a template on S, whose name contains the instruction set, and calls no function of std::.
 #pragma once
 
+#include <gonio/profile/fast_number.hpp>
 #include <gonio/profile/token_kernels.hpp>
+#include <gonio/simd/doubles.hpp>
 #include <gonio/simd/instruction_sets.hpp>
 #include <gonio/simd/pack.hpp>
 
@@ -25,14 +27,6 @@ struct ByteMasks {
     std::uint64_t cr;      // of Separators::lines: CR
     std::uint64_t lf;      // and LF
 };
-
-// Of convert_long(), which divides a number of two doubles by a power of ten that is one (T. Dekker, A floating-point
-// technique for extending the available precision, 1971). The quotient is the sum of a double and a rest, which is
-// known to a few of its last bits. Where a rest that is larger or smaller by this share of itself would give another
-// sum, the number is left to the method that decides by integers.
-inline constexpr double quotient_error = 0x1p-48;
-constexpr double exact_powers_of_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                            1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 template<class S>
 struct TokenWords {
@@ -152,5 +146,33 @@ struct TokenWords {
         highest = high;
     }
 };
+
+// The quotients of convert_long(): of numbers of two doubles, and powers of ten that are one (T. Dekker, A
+// floating-point technique for extending the available precision, 1971).
+template<class S>
+struct LongQuotients {
+    simd::in_double<S> nearest;
+    simd::in_double<S> other; // not the same where the rounding is not certain
+};
+
+// Of upper · 10^8 + lower, both whole and exact, and `power`. TokenWords<S>::fused() rounds once.
+template<class S>
+GONIO_FORCE_INLINE LongQuotients<S> long_quotients(simd::in_double<S> upper, simd::in_double<S> lower,
+                                                   simd::in_double<S> power) {
+    using Double = simd::in_double<S>;
+    using Words = TokenWords<S>;
+    const Double eight_digits(1e8);
+    const Double product = upper * eight_digits;
+    const Double rest = Words::fused(upper, eight_digits, -product) + lower;
+    const Double number = product + rest;
+    const Double number_rest = rest - (number - product);
+    const Double quotient = number / power;
+    const Double remainder = Words::fused(-quotient, power, number) + number_rest;
+    const Double quotient_rest = remainder / power;
+    // The rest is known to a few of its last bits. Where one that is larger or smaller by much more than that would
+    // give another sum, the number is left to the method that decides by integers.
+    const Double error = quotient_rest * Double(0x1p-48);
+    return {quotient + (quotient_rest + error), quotient + (quotient_rest - error)};
+}
 
 } // namespace gonio::profile_detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/profile/token_words.hpp>
+#include <gonio/simd/native.hpp>
 
 #if defined(__AVX2__)
 
@@ -129,6 +130,10 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         return _mm256_set_epi64x(word(3), word(2), word(1), word(0));
     }
 
+    using Doubles = simd::doubles<simd::avx2>;
+    // a b + c, rounded once.
+    static Doubles fused(Doubles a, Doubles b, Doubles c) { return {_mm256_fmadd_pd(a.v, b.v, c.v)}; }
+
     static unsigned convert_wide(const char* text, const std::uint32_t* bounds, double* numbers) {
         const __m256i zero = _mm256_setzero_si256();
         const __m256i ones = _mm256_set1_epi8(1);
@@ -189,9 +194,8 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
             _mm256_add_epi8(_mm256_and_si256(high_moved, ones), _mm256_and_si256(low_moved, ones)), zero);
         const __m256i decimals = _mm256_andnot_si256(_mm256_and_si256(no_high_point, no_low_point),
                                                      _mm256_sub_epi64(_mm256_set1_epi64x(15), before));
-        alignas(32) static constexpr double powers[16] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-        const __m256d power = _mm256_i64gather_pd(powers, _mm256_and_si256(decimals, _mm256_set1_epi64x(15)), 8);
+        const __m256d power =
+            _mm256_i64gather_pd(decimal_powers<simd::avx2>, _mm256_and_si256(decimals, _mm256_set1_epi64x(15)), 8);
         const __m256d value = _mm256_div_pd(to_double(number), power);
         const __m256d sign =
             _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
@@ -275,32 +279,20 @@ struct TokenWords<simd::pack<float, simd::avx2>> {
         const __m256i decimals = _mm256_andnot_si256(_mm256_and_si256(none_in_high, none_below_high),
                                                      _mm256_sub_epi64(_mm256_set1_epi64x(23), before));
         const __m256d power =
-            _mm256_i64gather_pd(exact_powers_of_ten, _mm256_min_epu32(decimals, _mm256_set1_epi64x(22)), 8);
-        // The number as the sum of two doubles, each exact.
-        const __m256d eight_digits = _mm256_set1_pd(1e8);
-        const __m256d eleven =
-            to_double(_mm256_add_epi64(_mm256_mul_epu32(upper, _mm256_set1_epi64x(100000000)), between));
-        const __m256d product = _mm256_mul_pd(eleven, eight_digits);
-        const __m256d rest = _mm256_add_pd(_mm256_fmsub_pd(eleven, eight_digits, product), to_double(lower));
-        const __m256d number = _mm256_add_pd(product, rest);
-        const __m256d number_rest = _mm256_sub_pd(rest, _mm256_sub_pd(number, product));
-        // The quotient as well, the second with an error far below what `error` stands for.
-        const __m256d quotient = _mm256_div_pd(number, power);
-        const __m256d remainder = _mm256_add_pd(_mm256_fnmadd_pd(quotient, power, number), number_rest);
-        const __m256d quotient_rest = _mm256_div_pd(remainder, power);
-        const __m256d error = _mm256_mul_pd(quotient_rest, _mm256_set1_pd(quotient_error));
-        const __m256d value = _mm256_add_pd(quotient, _mm256_add_pd(quotient_rest, error));
-        const __m256d other = _mm256_add_pd(quotient, _mm256_sub_pd(quotient_rest, error));
+            _mm256_i64gather_pd(decimal_powers<simd::avx2>, _mm256_min_epu32(decimals, _mm256_set1_epi64x(22)), 8);
+        const __m256i eleven = _mm256_add_epi64(_mm256_mul_epu32(upper, _mm256_set1_epi64x(100000000)), between);
+        const auto quotients = long_quotients<simd::pack<float, simd::avx2>>(Doubles(to_double(eleven)),
+                                                                             Doubles(to_double(lower)), Doubles(power));
         const __m256d sign =
             _mm256_castsi256_pd(_mm256_andnot_si256(_mm256_cmpeq_epi64(minus, zero), _mm256_set1_epi64x(INT64_MIN)));
-        _mm256_storeu_pd(numbers, _mm256_or_pd(value, sign));
+        _mm256_storeu_pd(numbers, _mm256_or_pd(quotients.nearest.v, sign));
         const __m256i odd_length =
             _mm256_or_si256(above(length, 24), _mm256_cmpgt_epi64(_mm256_set1_epi64x(2), length));
         const __m256i odd = _mm256_or_si256(
             odd_length, _mm256_or_si256(_mm256_or_si256(above(points, 1), above(upper, 999)), above(decimals, 22)));
         const __m256i fine = _mm256_andnot_si256(odd, _mm256_cmpeq_epi64(wrong, zero));
-        const __m256d certain = _mm256_cmp_pd(value, other, _CMP_EQ_OQ);
-        return ~static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(_mm256_castsi256_pd(fine), certain))) & 0xFU;
+        return (~static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(fine))) & 0xFU) |
+               static_cast<unsigned>(simd::lane_bits(!(quotients.nearest == quotients.other)));
     }
 
     // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/profile/token_words.hpp>
+#include <gonio/simd/native.hpp>
 
 #if defined(__AVX512BW__)
 
@@ -117,6 +118,10 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const auto word = [&](int i) { return word_before(text + bounds[2 * i + 1] - (before - 8)); };
         return _mm512_set_epi64(word(7), word(6), word(5), word(4), word(3), word(2), word(1), word(0));
     }
+
+    using Doubles = simd::doubles<simd::avx512>;
+    // a b + c, rounded once.
+    static Doubles fused(Doubles a, Doubles b, Doubles c) { return {_mm512_fmadd_pd(a.v, b.v, c.v)}; }
 
     static unsigned convert_wide(const char* text, const std::uint32_t* bounds, double* numbers) {
         const __m512i zero = _mm512_setzero_si512();
@@ -254,31 +259,19 @@ struct TokenWords<simd::pack<float, simd::avx512>> {
         const __m512i decimals =
             _mm512_maskz_sub_epi64(static_cast<__mmask8>(of_high | of_middle | of_low), _mm512_set1_epi64(23), before);
         const __m512d power =
-            _mm512_i64gather_pd(_mm512_min_epi64(decimals, _mm512_set1_epi64(22)), exact_powers_of_ten, 8);
-        // The number as the sum of two doubles, each exact.
-        const __m512d eight_digits = _mm512_set1_pd(1e8);
-        const __m512d eleven =
-            _mm512_cvtepi64_pd(_mm512_add_epi64(_mm512_mul_epu32(upper, _mm512_set1_epi64(100000000)), between));
-        const __m512d product = _mm512_mul_pd(eleven, eight_digits);
-        const __m512d rest = _mm512_add_pd(_mm512_fmsub_pd(eleven, eight_digits, product), _mm512_cvtepi64_pd(lower));
-        const __m512d number = _mm512_add_pd(product, rest);
-        const __m512d number_rest = _mm512_sub_pd(rest, _mm512_sub_pd(number, product));
-        // The quotient as well, the second with an error far below what `error` stands for.
-        const __m512d quotient = _mm512_div_pd(number, power);
-        const __m512d remainder = _mm512_add_pd(_mm512_fnmadd_pd(quotient, power, number), number_rest);
-        const __m512d quotient_rest = _mm512_div_pd(remainder, power);
-        const __m512d error = _mm512_mul_pd(quotient_rest, _mm512_set1_pd(quotient_error));
-        const __m512d value = _mm512_add_pd(quotient, _mm512_add_pd(quotient_rest, error));
-        const __m512d other = _mm512_add_pd(quotient, _mm512_sub_pd(quotient_rest, error));
+            _mm512_i64gather_pd(_mm512_min_epi64(decimals, _mm512_set1_epi64(22)), decimal_powers<simd::avx512>, 8);
+        const __m512i eleven = _mm512_add_epi64(_mm512_mul_epu32(upper, _mm512_set1_epi64(100000000)), between);
+        const auto quotients = long_quotients<simd::pack<float, simd::avx512>>(
+            Doubles(_mm512_cvtepi64_pd(eleven)), Doubles(_mm512_cvtepi64_pd(lower)), Doubles(power));
         const __m512i sign = _mm512_maskz_mov_epi64(_mm512_test_epi64_mask(minus, minus), _mm512_set1_epi64(INT64_MIN));
-        _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(value), sign)));
+        _mm512_storeu_pd(numbers, _mm512_castsi512_pd(_mm512_or_si512(_mm512_castpd_si512(quotients.nearest.v), sign)));
         const __m512i above_two = _mm512_sub_epi64(length, _mm512_set1_epi64(2));
         return static_cast<unsigned>(_mm512_test_epi64_mask(wrong, wrong)) |
                static_cast<unsigned>(_mm512_cmpgt_epu64_mask(above_two, _mm512_set1_epi64(22))) |
                static_cast<unsigned>(_mm512_cmpgt_epi64_mask(points, _mm512_set1_epi64(1))) |
                static_cast<unsigned>(_mm512_cmpgt_epi64_mask(upper, _mm512_set1_epi64(999))) |
                static_cast<unsigned>(_mm512_cmpgt_epi64_mask(decimals, _mm512_set1_epi64(22))) |
-               static_cast<unsigned>(_mm512_cmp_pd_mask(value, other, _CMP_NEQ_UQ));
+               static_cast<unsigned>(simd::lane_bits(!(quotients.nearest == quotients.other)));
     }
 
     // The numbers written by eight digits each, the first in the lowest byte: pairs, fours, all eight.

@@ -32,6 +32,11 @@ double sine_of_sum(double cosine, double other_sine) {
     return cosine > other_sine ? sine * other_cosine + cosine * other_sine : 1.0;
 }
 
+// Whether a link may stand for the whole of a cell.
+bool is_alike(const Cell& cell) {
+    return !cell.covered && !cell.is_uneven() && cell.spread <= LinkedCells::most_spread;
+}
+
 // The area of a cell as seen from far away along a unit vector is the product with this.
 glm::dvec3 seen_area_m2(const Patches& patches, std::uint32_t cell) {
     glm::dvec3 sum(0.0);
@@ -54,7 +59,7 @@ public:
         std::uint32_t of = LinkedCells::no_group; // the group that it is in
         std::optional<CellGroup> group;           // none: a cell
     };
-    std::uint32_t number(const Square& square) const { return first_ + square.row * columns_ + square.column; }
+    std::uint32_t number_of(const Square& square) const { return first_ + square.row * columns_ + square.column; }
     Square square_of(std::uint32_t cell) const { return {(cell - first_) % columns_, (cell - first_) / columns_, 1}; }
 
     // Squares of the widest groups, or what they are divided into.
@@ -91,11 +96,10 @@ private:
         for (std::uint32_t row = square.row; row < std::min(square.row + square.side, rows_); ++row)
             for (std::uint32_t column = square.column; column < std::min(square.column + square.side, columns_);
                  ++column) {
-                const std::uint32_t number = first_ + row * columns_ + column;
+                const std::uint32_t number = number_of({column, row, 1});
                 const Cell& cell = patches_.cells()[number];
                 const double area_m2 = patches_.cell_area_m2(number);
-                if (cell.covered || cell.is_uneven() || cell.spread > LinkedCells::most_spread || !(area_m2 > 0.0))
-                    return std::nullopt;
+                if (!is_alike(cell) || !(area_m2 > 0.0)) return std::nullopt;
                 group.cells.push_back(number);
                 group.chart = cell.chart;
                 group.area_m2 += area_m2;
@@ -171,16 +175,16 @@ void LinkedCells::add_chart(const Patches& patches, std::span<const std::uint32_
     while (!level.empty()) {
         std::vector<CellGrid::Member> next;
         const std::size_t below = parts_.size() + level.size();
-        for (const CellGrid::Member& member : level) {
+        for (CellGrid::Member& member : level) {
             if (!member.group) {
-                const std::uint32_t cell = grid.number(member.square);
+                const std::uint32_t cell = grid.number_of(member.square);
                 group_of_[cell] = member.of;
                 of_cells.push_back(parts_.size());
                 add_cell(patches, cell);
                 continue;
             }
             group_of_.push_back(member.of);
-            add_group(patches, *member.group);
+            add_group(patches, std::move(*member.group));
             const std::size_t before = next.size();
             grid.add_quarters(member.square, parts_.back().number, next);
             parts_.back().parts = {below + before, below + next.size()};
@@ -193,7 +197,7 @@ void LinkedCells::add_chart(const Patches& patches, std::span<const std::uint32_
         add_patches(patches, cell);
 }
 
-void LinkedCells::add_group(const Patches& patches, const CellGroup& group) {
+void LinkedCells::add_group(const Patches& patches, CellGroup group) {
     const auto number = static_cast<std::uint32_t>(patches.cells().size() + groups_.size());
     Numbers numbers;
     numbers.position = group.position;
@@ -204,7 +208,7 @@ void LinkedCells::add_group(const Patches& patches, const CellGroup& group) {
     if (group.spread <= most_spread) numbers.least_m = least_of_group * group.half_diagonal_m;
     numbers.least_for_coarse_m = least_for_coarse * group.half_diagonal_m;
     add(number, numbers);
-    groups_.push_back(group);
+    groups_.push_back(std::move(group));
 }
 
 void LinkedCells::add_cell(const Patches& patches, std::uint32_t number) {
@@ -216,7 +220,7 @@ void LinkedCells::add_cell(const Patches& patches, std::uint32_t number) {
     numbers.spread = cell.spread;
     numbers.reach_m = is_flat ? cell.half_diagonal_m : 0.0;
     numbers.area_m2 = is_flat ? patches.cell_area_m2(number) : glm::length(seen_area_m2(patches, number));
-    if (!cell.covered && !cell.is_uneven() && cell.spread <= most_spread) {
+    if (is_alike(cell)) {
         numbers.least_m = (is_flat ? least_of_flat : least_of_round) * cell.half_diagonal_m;
         numbers.least_for_coarse_m = (is_flat ? least_of_flat : least_for_coarse) * cell.half_diagonal_m;
     }
@@ -230,7 +234,7 @@ void LinkedCells::add_patches(const Patches& patches, std::size_t cell) {
     const std::span<const std::uint32_t> of_cell = patches.patches_of(number);
     const bool is_long = std::any_of(of_cell.begin(), of_cell.end(),
                                      [&](std::uint32_t patch) { return patches.half_length(patch) > 0.0; });
-    if (of.covered || of.is_uneven() || of.spread > most_spread || is_long) {
+    if (!is_alike(of) || is_long) {
         parts_[cell].parts = {single_patches_.size(), single_patches_.size() + of_cell.size()};
         add_single(patches, of, of_cell);
         return;

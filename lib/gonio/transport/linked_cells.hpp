@@ -106,7 +106,7 @@ public:
 
 private:
     void add_chart(const Patches& patches, std::span<const std::uint32_t> cells);
-    void add_group(const Patches& patches, const CellGroup& group);
+    void add_group(const Patches& patches, CellGroup group);
     void add_cell(const Patches& patches, std::uint32_t number);
     void add_patches(const Patches& patches, std::size_t cell);
     void add_single(const Patches& patches, const Cell& of, std::span<const std::uint32_t> of_cell);

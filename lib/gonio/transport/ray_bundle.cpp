@@ -216,11 +216,12 @@ private:
             add(static_cast<std::uint32_t>(patches_.count()) + part.number, at);
             return;
         }
-        by_link_[part.number] = By::parts;
-        if (part.has_parts)
-            divided_.push_back(part.parts);
-        else
+        if (!part.has_parts) {
             link(place, frame, part);
+            return;
+        }
+        by_link_[part.number] = By::parts;
+        divided_.push_back(part.parts);
     }
 
     // What is at this place of the links, if nothing stands between.
@@ -237,10 +238,7 @@ private:
     void link(const Receivers::Place& place, const Frame& frame, const LinkedCells::Part& part) {
         const std::uint32_t cell = part.number;
         const Cell& sender = patches_.cells()[cell];
-        if (sender.covered) {
-            by_link_[cell] = By::rays;
-            return;
-        }
+        if (sender.covered) return;
         const std::span<const LinkedPatch> patches = linked_.single_patches(part);
         const Way way(place, sender.linked_middle, sender.normal);
         if (sender.is_uneven() && way.is_far(sender.half_diagonal_m, LinkedCells::least_of_flat)) {
@@ -256,6 +254,7 @@ private:
                 consider(frame.to_local(way.to), share, number, slopes);
             return;
         }
+        by_link_[cell] = By::parts;
         for (const LinkedPatch& patch : patches) {
             std::uint8_t& has_link = has_link_[patch.number];
             has_link = 1;
