@@ -2,7 +2,8 @@
 add_library(gonio-build-flags INTERFACE)
 target_compile_features(gonio-build-flags INTERFACE cxx_std_20)
 target_compile_options(gonio-build-flags INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+    $<$<NOT:$<BOOL:${GONIO_UNITY}>>:-Wshadow> # sources compiled together see each other's names
     -ffp-contract=off        # a*b+c rounds the same on every machine; fma is called by name
     -fno-math-errno          # lets sqrt become one instruction; nobody reads errno
     -fvisibility=hidden -fvisibility-inlines-hidden
