@@ -3,6 +3,8 @@
 
 #include <gonio/profile/read.hpp>
 
+#include "../said.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,13 +32,6 @@ inline TextLines with(TextLines lines, std::size_t number, const std::string& te
 inline TextLines without(TextLines lines, std::size_t number) {
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(number - 1));
     return lines;
-}
-
-inline std::string said(const Diagnostics& diagnostics) {
-    std::string text;
-    for (const Diagnostic& d : diagnostics)
-        text += to_text(d) + '\n';
-    return text.empty() ? "(nothing)\n" : text;
 }
 
 inline std::string said(const Result<Profile>& read) {

@@ -5,6 +5,7 @@
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/token_kernels.hpp>
 
+#include "../said.hpp"
 #include "equal.hpp"
 
 #include <algorithm>
@@ -15,14 +16,6 @@
 #include <vector>
 
 namespace gonio::test {
-
-// Everything that was reported, with its place.
-inline std::string said(const Diagnostics& diagnostics) {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics)
-        text += to_text(diagnostic) + '\n';
-    return text;
-}
 
 inline const std::vector<double>& table_of(const Profile& profile) {
     static const std::vector<double> none;

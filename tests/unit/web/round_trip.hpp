@@ -5,6 +5,8 @@
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/to_profile.hpp>
 
+#include "../said.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,13 +18,6 @@ namespace gonio::test {
 inline constexpr ProfileTarget every_target[] = {ProfileTarget::lm63_1995, ProfileTarget::lm63_2002,
                                                  ProfileTarget::lm63_2019, ProfileTarget::portable,
                                                  ProfileTarget::eulumdat,  ProfileTarget::tm33};
-
-inline std::string said(const Diagnostics& diagnostics) {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics)
-        text += to_text(diagnostic) + "\n";
-    return text;
-}
 
 inline bool says(const Diagnostics& diagnostics, std::string_view code, std::string_view part = {}) {
     return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& diagnostic) {
